@@ -1,0 +1,41 @@
+//! lightbench: an optical bench for learning light transport.
+//!
+//! The library implements, chapter by chapter, what five course documents teach, from ray casting
+//! to photon mapping; the numbered lessons draw the documents' figures with it; the tests hold
+//! every formula against truth. `ARCHITECTURE.md` explains the layout and the conventions.
+//!
+//! Modules stand on floors, and a module imports strictly lower floors only:
+//!
+//! | floor | module | holds |
+//! |---|---|---|
+//! | 0 | [`num`] | polynomial roots, rounding bounds, compensated sums, quadrature, statistics |
+//! | 1 | [`ray`], [`frame`], [`bounds`], [`color`] | rays, hits, the trace hook; rotations and bases; boxes and spheres; colour spaces |
+//! | 2 | [`sample`], [`film`], [`measure`] | random numbers and warps; images and their metrics; cost and error of methods |
+//! | 3 | [`shape`] | one file per surface: where a ray meets it, and its solid's spans |
+//! | 4 | [`light`] | emission and its fall-off |
+//! | 5 | [`scene`] | camera, objects, materials |
+//! | 6 | [`scene_file`] | readers of the documents' formats |
+//! | 8 | [`integrator`] | each turns a ray into radiance |
+//! | 9 | [`render`] | the tile loop: threads, progress, interruption |
+//! | 11 | [`kit`], [`probe`] | charts, diagrams, lessons, the page; one function on each row of a table |
+//! | 12 | [`command`] | the verbs of the `lightbench` command |
+//!
+//! The table is law: `tests/laws/architecture.rs` reads it, and fails on an import that goes up or sideways.
+
+pub mod bounds;
+pub mod color;
+pub mod command;
+pub mod film;
+pub mod frame;
+pub mod integrator;
+pub mod kit;
+pub mod light;
+pub mod measure;
+pub mod num;
+pub mod probe;
+pub mod ray;
+pub mod render;
+pub mod sample;
+pub mod scene;
+pub mod scene_file;
+pub mod shape;

@@ -1,0 +1,13 @@
+//! Numbers: rounding bounds, polynomial roots, sums.
+
+/// Unit roundoff `u = 2⁻⁵³` of `f64`: the largest relative error of one rounding to nearest.
+pub const U: f64 = f64::EPSILON / 2.0;
+
+/// `γₙ = n u / (1 − n u)`: bound on the relative error of `n` successive roundings.
+///
+/// - Domain: `n u < 1`.
+/// - Source: Higham, *Accuracy and Stability of Numerical Algorithms* (2002), Lemma 3.1.
+pub const fn gamma(n: u32) -> f64 {
+    let nu = n as f64 * U;
+    nu / (1.0 - nu)
+}
