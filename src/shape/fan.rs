@@ -5,6 +5,7 @@
 //! pictures: [`Fan::run`] compiles one body for the default target and for AVX2.
 
 use crate::bounds::Aabb;
+use crate::num::gamma;
 use glam::DVec3;
 
 /// Segments tested together.
@@ -65,14 +66,21 @@ impl Fan {
     }
 
     /// Aims at `ends`, reusing this fan's memory; `center` and `radius` bound the ends by a sphere.
+    ///
+    /// Each segment stops short of its end by the rounding errors of the coordinates it was made from, so
+    /// that a light may touch the surface that carries it.
     pub fn aim(&mut self, origin: DVec3, ends: impl Iterator<Item = DVec3>, center: DVec3, radius: f64) {
         self.origin = origin;
         self.x.clear();
         self.y.clear();
         self.z.clear();
         let mut hull = Aabb::new(origin, origin);
+        let to = center - origin;
+        let distance = to.length();
+        let coordinates = origin.abs().max_element() + center.abs().max_element() + radius;
+        let shorten = 1.0 - (gamma(16) * (1.0 + coordinates / (distance - radius).max(radius))).min(0.5);
         for end in ends {
-            let d = end - origin;
+            let d = (end - origin) * shorten;
             hull.min = hull.min.min(end);
             hull.max = hull.max.max(end);
             self.x.push(d.x);
@@ -87,8 +95,6 @@ impl Fan {
             self.y.push(last.y);
             self.z.push(last.z);
         }
-        let to = center - origin;
-        let distance = to.length();
         let wide = !(distance > radius) || distance == 0.0;
         self.axis = if distance > 0.0 { to / distance } else { DVec3::Y };
         // A point of the ends' sphere sees every direction: a cone of half angle π.
