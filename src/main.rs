@@ -1,1 +1,3 @@
-fn main() {}
+fn main() {
+    lightbench::command::probe_main()
+}
