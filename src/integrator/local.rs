@@ -13,7 +13,7 @@ use crate::light::{AreaLight, Falloff, Light, Placement, PointLight};
 use crate::ray::{Hit, Ray, RayKind, Trace, Work};
 use crate::sample::Sampler;
 use crate::scene::{Material, Met, Scene};
-use crate::shape::fan::{Fan, LANES, Lanes, Vectors};
+use crate::shape::fan::{Ends, Fan, LANES, Lanes, Vectors, vectorised};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_1_PI, PI};
 
@@ -41,6 +41,8 @@ pub struct Local {
 #[derive(Debug)]
 pub struct Scratch {
     fan: Fan,
+    /// The points of each light; those of a fixed grid are the same for every place that is lit.
+    ends: Vec<Ends>,
     /// Irradiance per unit of the light's power that each ray would bring.
     weights: Vec<f64>,
 }
@@ -48,8 +50,20 @@ pub struct Scratch {
 impl Integrator for Local {
     type Scratch = Scratch;
 
-    fn scratch(&self) -> Scratch {
-        Scratch { fan: Fan::new(self.vectors), weights: Vec::new() }
+    fn scratch(&self, scene: &Scene) -> Scratch {
+        let ends = |light: &Light| match light {
+            Light::Point(_) => Ends::default(),
+            Light::Area(light) => {
+                let mut ends = Ends::within(light.center, (light.half_width + light.half_height).length());
+                ends.place((0..light.cells()).map(|cell| light.point(cell, DVec2::splat(0.5))));
+                ends
+            }
+        };
+        Scratch {
+            fan: Fan::new(self.vectors),
+            ends: scene.lights.iter().map(ends).collect(),
+            weights: Vec::new(),
+        }
     }
 
     fn radiance<T: Trace>(
@@ -98,10 +112,10 @@ impl<T: Trace> Lighting<'_, T> {
         let n = if ray.direction.dot(hit.ng) > 0.0 { -hit.n } else { hit.n };
         let from = Place { origin: hit.origin_towards(n), n, weight: material.diffuse };
         let mut irradiance = Rgb::ZERO;
-        for light in &self.scene.lights {
+        for (i, light) in self.scene.lights.iter().enumerate() {
             irradiance += match light {
                 Light::Point(light) => self.point_irradiance(light, &from),
-                Light::Area(light) => self.area_irradiance(light, &from),
+                Light::Area(light) => self.area_irradiance(i, light, &from),
             };
         }
         material.emissive + material.diffuse * (self.scene.ambient + irradiance * FRAC_1_PI)
@@ -125,22 +139,18 @@ impl<T: Trace> Lighting<'_, T> {
         if blocker.is_some() { Rgb::ZERO } else { e }
     }
 
-    fn area_irradiance(&mut self, light: &AreaLight, from: &Place) -> Rgb {
-        let Scratch { fan, weights } = &mut *self.scratch;
-        let point = |cell| {
-            let u = match light.placement {
-                Placement::Grid => DVec2::splat(0.5),
-                Placement::Jittered => self.sampler.next_2d(),
-            };
-            light.point(cell, u)
-        };
-        let radius = (light.half_width + light.half_height).length();
-        fan.aim(from.origin, (0..light.cells()).map(point), light.center, radius);
+    fn area_irradiance(&mut self, index: usize, light: &AreaLight, from: &Place) -> Rgb {
+        let Scratch { fan, ends, weights } = &mut *self.scratch;
+        let ends = &mut ends[index];
+        if light.placement == Placement::Jittered {
+            ends.place((0..light.cells()).map(|cell| light.point(cell, self.sampler.next_2d())));
+        }
+        fan.aim(from.origin, ends);
         weights.clear();
         weights.resize(fan.padded_len(), 0.0);
         match light.falloff {
-            Falloff::None => fan.run(|| flat_weights(fan, from.n, weights)),
-            Falloff::InverseSquare => fan.run(|| radiometric_weights(fan, from.n, light.normal, weights)),
+            Falloff::None => flat_weights(fan.vectors, fan, from.n, weights),
+            Falloff::InverseSquare => radiometric_weights(fan.vectors, fan, from.n, light.normal, weights),
         }
         weights[fan.len()..].fill(0.0);
         let lit = weights.iter().filter(|w| **w > 0.0).count();
@@ -186,28 +196,30 @@ fn report<T: Trace>(trace: &mut T, segment: &Ray, brought: Rgb, blocker: Option<
     }
 }
 
-/// `cos θ` of every segment, 0 for those below the horizon: D's lights.
-#[inline(always)]
-fn flat_weights(fan: &Fan, n: DVec3, weights: &mut [f64]) {
-    for (Lanes { x, y, z }, weights) in fan.lanes().zip(weights.chunks_exact_mut(LANES)) {
-        for i in 0..LANES {
-            let d2 = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
-            let cos = (n.x * x[i] + n.y * y[i] + n.z * z[i]) / d2.sqrt();
-            weights[i] = if cos > 0.0 { cos } else { 0.0 };
+vectorised! {
+    /// `cos θ` of every segment, 0 for those below the horizon: D's lights.
+    fn flat_weights(fan: &Fan, n: DVec3, weights: &mut [f64]) {
+        for (Lanes { x, y, z }, weights) in fan.lanes().zip(weights.chunks_exact_mut(LANES)) {
+            for i in 0..LANES {
+                let d2 = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+                let cos = (n.x * x[i] + n.y * y[i] + n.z * z[i]) / d2.sqrt();
+                weights[i] = if cos > 0.0 { cos } else { 0.0 };
+            }
         }
     }
 }
 
-/// `cos θ cos θₗ / d²` of every segment, 0 for those below either horizon.
-#[inline(always)]
-fn radiometric_weights(fan: &Fan, n: DVec3, nl: DVec3, weights: &mut [f64]) {
-    for (Lanes { x, y, z }, weights) in fan.lanes().zip(weights.chunks_exact_mut(LANES)) {
-        for i in 0..LANES {
-            let d2 = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
-            let cos = n.x * x[i] + n.y * y[i] + n.z * z[i];
-            let cos_light = -(nl.x * x[i] + nl.y * y[i] + nl.z * z[i]);
-            let weight = cos * cos_light / (d2 * d2);
-            weights[i] = if (cos > 0.0) & (cos_light > 0.0) { weight } else { 0.0 };
+vectorised! {
+    /// `cos θ cos θₗ / d²` of every segment, 0 for those below either horizon.
+    fn radiometric_weights(fan: &Fan, n: DVec3, nl: DVec3, weights: &mut [f64]) {
+        for (Lanes { x, y, z }, weights) in fan.lanes().zip(weights.chunks_exact_mut(LANES)) {
+            for i in 0..LANES {
+                let d2 = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+                let cos = n.x * x[i] + n.y * y[i] + n.z * z[i];
+                let cos_light = -(nl.x * x[i] + nl.y * y[i] + nl.z * z[i]);
+                let weight = cos * cos_light / (d2 * d2);
+                weights[i] = if (cos > 0.0) & (cos_light > 0.0) { weight } else { 0.0 };
+            }
         }
     }
 }

@@ -14,7 +14,8 @@ pub trait Integrator: Sync {
     /// Memory that one thread keeps from ray to ray, so that rays allocate nothing.
     type Scratch;
 
-    fn scratch(&self) -> Self::Scratch;
+    /// Fresh memory for one thread.
+    fn scratch(&self, scene: &Scene) -> Self::Scratch;
 
     /// Radiance [W m⁻² sr⁻¹] that arrives at the origin of a camera ray from its direction.
     ///

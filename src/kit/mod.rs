@@ -1,1 +1,4 @@
-//! Under construction.
+//! The kit of lessons and commands: flags, progress, figures.
+
+pub mod flags;
+pub mod progress;

@@ -112,7 +112,7 @@ fn render_tiles<I: Integrator>(
         }
         let (x0, y0) = (tile % columns * TILE, tile / columns * TILE);
         let mut tally = Tally::default();
-        let mut scratch = integrator.scratch();
+        let mut scratch = integrator.scratch(scene);
         let mut pixels = Vec::with_capacity(TILE * TILE);
         for y in y0..(y0 + TILE).min(height) {
             for x in x0..(x0 + TILE).min(width) {
@@ -166,7 +166,10 @@ pub fn replay<I: Integrator>(
     at: (usize, usize),
 ) -> (Rgb, Vec<Traced>) {
     let mut recorder = Recorder::default();
-    let value = pixel(scene, integrator, picture, at, &mut integrator.scratch(), &mut recorder);
-    debug_assert_eq!(value, pixel(scene, integrator, picture, at, &mut integrator.scratch(), &mut Silent));
+    let value = pixel(scene, integrator, picture, at, &mut integrator.scratch(scene), &mut recorder);
+    debug_assert_eq!(
+        value,
+        pixel(scene, integrator, picture, at, &mut integrator.scratch(scene), &mut Silent)
+    );
     (value, recorder.into_rays())
 }

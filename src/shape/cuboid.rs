@@ -2,7 +2,7 @@
 //!
 //! Faces are numbered 0: −x, 1: +x, 2: −y, 3: +y, 4: −z, 5: +z.
 
-use super::fan::{Fan, LANES, Lanes};
+use super::fan::{Fan, LANES, Lanes, vectorised};
 use super::{Shape, ShapeError, Solid, span_of_pair};
 use crate::bounds::Aabb;
 use crate::ray::{Crossing, Hit, Ray, Span};
@@ -114,7 +114,7 @@ impl Shape for Cuboid {
     }
 
     fn shade(&self, fan: &Fan, lit: &mut [f64]) {
-        fan.run(|| shade_box(self.min - fan.origin, self.max - fan.origin, fan, lit));
+        shade_box(fan.vectors, self.min - fan.origin, self.max - fan.origin, fan, lit);
     }
 }
 
@@ -130,26 +130,27 @@ fn axes_of_face(face: u32) -> (DVec3, DVec3, DVec3) {
     }
 }
 
-/// [`Cuboid::roots`] for eight segments at once, reduced to the question whether a root lies in (0, 1).
-///
-/// With `d = 0` the quotients are ±∞, or NaN for an origin in the face; a comparison with NaN keeps the other
-/// bound, as `roots` does by skipping the axis.
-#[inline(always)]
-fn shade_box(min: DVec3, max: DVec3, fan: &Fan, lit: &mut [f64]) {
-    let (min, max) = (min.to_array(), max.to_array());
-    for (Lanes { x, y, z }, lit) in fan.lanes().zip(lit.chunks_exact_mut(LANES)) {
-        for i in 0..LANES {
-            let d = [x[i], y[i], z[i]];
-            let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
-            for axis in 0..3 {
-                let (a, b) = (min[axis] / d[axis], max[axis] / d[axis]);
-                let (near, far) = if d[axis] < 0.0 { (b, a) } else { (a, b) };
-                enter = if near > enter { near } else { enter };
-                leave = if far < leave { far } else { leave };
+vectorised! {
+    /// [`Cuboid::roots`] for eight segments at once, reduced to the question whether a root lies in (0, 1).
+    ///
+    /// With `d = 0` the quotients are ±∞, or NaN for an origin in the face; a comparison with NaN keeps the other
+    /// bound, as `roots` does by skipping the axis.
+    fn shade_box(min: DVec3, max: DVec3, fan: &Fan, lit: &mut [f64]) {
+        let (min, max) = (min.to_array(), max.to_array());
+        for (Lanes { x, y, z }, lit) in fan.lanes().zip(lit.chunks_exact_mut(LANES)) {
+            for i in 0..LANES {
+                let d = [x[i], y[i], z[i]];
+                let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+                for axis in 0..3 {
+                    let (a, b) = (min[axis] / d[axis], max[axis] / d[axis]);
+                    let (near, far) = if d[axis] < 0.0 { (b, a) } else { (a, b) };
+                    enter = if near > enter { near } else { enter };
+                    leave = if far < leave { far } else { leave };
+                }
+                let first = if enter > 0.0 { enter } else { leave };
+                let blocked = (enter <= leave) & (first > 0.0) & (first < 1.0);
+                lit[i] = if blocked { 0.0 } else { lit[i] };
             }
-            let first = if enter > 0.0 { enter } else { leave };
-            let blocked = (enter <= leave) & (first > 0.0) & (first < 1.0);
-            lit[i] = if blocked { 0.0 } else { lit[i] };
         }
     }
 }

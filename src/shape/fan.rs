@@ -2,7 +2,7 @@
 //!
 //! The rays to the points of a light share their origin, so shapes test them eight at a time, in whatever
 //! vectors the processor has. The arithmetic is the same operation by operation, hence so are the
-//! pictures: [`Fan::run`] compiles one body for the default target and for AVX2.
+//! pictures: `vectorised!` compiles one body for the default target and for AVX2.
 
 use crate::bounds::Aabb;
 use crate::num::gamma;
@@ -10,6 +10,44 @@ use glam::DVec3;
 
 /// Segments tested together.
 pub const LANES: usize = 8;
+
+/// The points that a fan's segments end in: the points of a light.
+#[derive(Clone, Debug, Default)]
+pub struct Ends {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    z: Vec<f64>,
+    len: usize,
+    hull: Option<Aabb>,
+    center: DVec3,
+    radius: f64,
+}
+
+impl Ends {
+    /// No ends yet, in a ball of `radius` about `center`.
+    pub fn within(center: DVec3, radius: f64) -> Self {
+        Ends { center, radius, ..Default::default() }
+    }
+
+    /// Takes these points instead, reusing the memory.
+    pub fn place(&mut self, points: impl Iterator<Item = DVec3>) {
+        self.x.clear();
+        self.y.clear();
+        self.z.clear();
+        let mut hull = Aabb::EMPTY;
+        for p in points {
+            hull = Aabb::new(hull.min.min(p), hull.max.max(p));
+            self.x.push(p.x);
+            self.y.push(p.y);
+            self.z.push(p.z);
+        }
+        self.hull = Some(hull);
+        self.len = self.x.len();
+        for v in [&mut self.x, &mut self.y, &mut self.z] {
+            v.resize(self.len.next_multiple_of(LANES), *v.last().unwrap_or(&0.0));
+        }
+    }
+}
 
 /// Segments `origin + t d`, `0 < t < 1`, that start in one point.
 ///
@@ -65,42 +103,35 @@ impl Fan {
         }
     }
 
-    /// Aims at `ends`, reusing this fan's memory; `center` and `radius` bound the ends by a sphere.
+    /// Aims at `ends` from `origin`, reusing this fan's memory.
     ///
     /// Each segment stops short of its end by the rounding errors of the coordinates it was made from, so
     /// that a light may touch the surface that carries it.
-    pub fn aim(&mut self, origin: DVec3, ends: impl Iterator<Item = DVec3>, center: DVec3, radius: f64) {
-        self.origin = origin;
-        self.x.clear();
-        self.y.clear();
-        self.z.clear();
-        let mut hull = Aabb::new(origin, origin);
-        let to = center - origin;
+    pub fn aim(&mut self, origin: DVec3, ends: &Ends) {
+        let to = ends.center - origin;
         let distance = to.length();
-        let coordinates = origin.abs().max_element() + center.abs().max_element() + radius;
-        let shorten = 1.0 - (gamma(16) * (1.0 + coordinates / (distance - radius).max(radius))).min(0.5);
-        for end in ends {
-            let d = (end - origin) * shorten;
-            hull.min = hull.min.min(end);
-            hull.max = hull.max.max(end);
-            self.x.push(d.x);
-            self.y.push(d.y);
-            self.z.push(d.z);
-        }
-        self.hull = hull;
-        self.len = self.x.len();
-        while !self.x.is_empty() && !self.x.len().is_multiple_of(LANES) {
-            let last = self.direction(self.len - 1);
-            self.x.push(last.x);
-            self.y.push(last.y);
-            self.z.push(last.z);
-        }
-        let wide = !(distance > radius) || distance == 0.0;
+        let coordinates = origin.abs().max_element() + ends.center.abs().max_element() + ends.radius;
+        let nearest = (distance - ends.radius).max(gamma(16) * coordinates);
+        let shorten = 1.0 - (gamma(16) * (1.0 + coordinates / nearest)).min(0.5);
+        self.origin = origin;
+        self.hull = ends.hull.unwrap_or(Aabb::EMPTY);
+        self.hull = Aabb::new(self.hull.min.min(origin), self.hull.max.max(origin));
+        self.len = ends.len;
+        // A point within the ends' ball sees them in every direction: a cone of half angle π.
+        let everywhere = !(distance > ends.radius);
         self.axis = if distance > 0.0 { to / distance } else { DVec3::Y };
-        // A point of the ends' sphere sees every direction: a cone of half angle π.
-        self.sin_spread = if wide { 1.0 } else { radius / distance };
+        self.sin_spread = if everywhere { 1.0 } else { ends.radius / distance };
         self.cos_spread =
-            if wide { -1.0 } else { ((1.0 - self.sin_spread) * (1.0 + self.sin_spread)).sqrt() };
+            if everywhere { -1.0 } else { ((1.0 - self.sin_spread) * (1.0 + self.sin_spread)).sqrt() };
+        let vectors = self.vectors;
+        for (to, from, origin) in [
+            (&mut self.x, &ends.x, origin.x),
+            (&mut self.y, &ends.y, origin.y),
+            (&mut self.z, &ends.z, origin.z),
+        ] {
+            to.resize(from.len(), 0.0);
+            subtract(vectors, to, from, origin, shorten);
+        }
     }
 
     /// Number of segments, without the padding.
@@ -128,25 +159,40 @@ impl Fan {
         let [x, y, z] = [&self.x, &self.y, &self.z].map(|v| v.as_chunks::<LANES>().0);
         x.iter().zip(y).zip(z).map(|((x, y), z)| Lanes { x, y, z })
     }
-
-    /// Runs `work`, compiled for the widest vectors that are allowed and that the processor has.
-    ///
-    /// `work` must be a closure around `#[inline(always)]` functions. Rust never contracts a product
-    /// and a sum by itself, so every body rounds alike and gives the same bits.
-    #[inline(always)]
-    pub fn run(&self, work: impl FnOnce()) {
-        #[cfg(target_arch = "x86_64")]
-        if self.vectors == Vectors::Widest && std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has AVX2.
-            unsafe { with_avx2(work) };
-            return;
-        }
-        work();
-    }
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
-fn with_avx2(work: impl FnOnce()) {
-    work();
+/// Compiles a function twice, for the default target and for AVX2, and calls the one that its first
+/// argument allows and the processor has.
+///
+/// Rust never contracts a product and a sum by itself, so both round alike and give the same bits.
+macro_rules! vectorised {
+    ($(#[$doc:meta])* $visibility:vis fn $name:ident($($argument:ident: $kind:ty),* $(,)?) $body:block) => {
+        $(#[$doc])*
+        $visibility fn $name(vectors: $crate::shape::fan::Vectors, $($argument: $kind),*) {
+            #[inline(always)]
+            fn body($($argument: $kind),*) $body
+            #[cfg(target_arch = "x86_64")]
+            #[target_feature(enable = "avx2")]
+            fn avx2($($argument: $kind),*) {
+                body($($argument),*);
+            }
+            #[cfg(target_arch = "x86_64")]
+            if vectors == $crate::shape::fan::Vectors::Widest && std::arch::is_x86_feature_detected!("avx2") {
+                // SAFETY: the processor has AVX2.
+                unsafe { avx2($($argument),*) };
+                return;
+            }
+            let _ = vectors; // read on x86-64 only
+            body($($argument),*);
+        }
+    };
+}
+pub(crate) use vectorised;
+
+vectorised! {
+    fn subtract(to: &mut [f64], from: &[f64], origin: f64, shorten: f64) {
+        for (to, from) in to.iter_mut().zip(from) {
+            *to = (from - origin) * shorten;
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 pub mod method;
 
-use super::fan::{Fan, LANES, Lanes};
+use super::fan::{Fan, LANES, Lanes, vectorised};
 use super::{Shape, ShapeError, Solid, span_of_pair};
 use crate::bounds::Aabb;
 use crate::frame::Frame;
@@ -137,7 +137,7 @@ impl Shape for Sphere {
         let f = fan.origin - self.center;
         let args =
             SphereFan { f, c: f.length_squared() - self.radius * self.radius, r2: self.radius * self.radius };
-        fan.run(|| shade_sphere(&args, fan, lit));
+        shade_sphere(fan.vectors, &args, fan, lit);
     }
 
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
@@ -151,24 +151,25 @@ struct SphereFan {
     r2: f64,
 }
 
-/// [`method::robust`] for eight segments at once, reduced to the question whether a root lies in (0, 1).
-#[inline(always)]
-fn shade_sphere(sphere: &SphereFan, fan: &Fan, lit: &mut [f64]) {
-    let SphereFan { f, c, r2 } = *sphere;
-    for (lanes, lit) in fan.lanes().zip(lit.chunks_exact_mut(LANES)) {
-        let Lanes { x, y, z } = lanes;
-        for i in 0..LANES {
-            let a = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
-            let b = -(f.x * x[i] + f.y * y[i] + f.z * z[i]);
-            let k = b / a;
-            let (lx, ly, lz) = (f.x + k * x[i], f.y + k * y[i], f.z + k * z[i]);
-            let discriminant = r2 - (lx * lx + ly * ly + lz * lz);
-            let s = (a * discriminant.max(0.0)).sqrt();
-            // Outside (c > 0) the nearer root c/(b + s) lies in (0, 1); inside the farther one (b + s)/a does.
-            let outside = (b > 0.0) & (c < b + s) & (c > 0.0);
-            let inside = (c <= 0.0) & (b + s < a) & (b + s > 0.0);
-            let blocked = (discriminant > 0.0) & (outside | inside);
-            lit[i] = if blocked { 0.0 } else { lit[i] };
+vectorised! {
+    /// [`method::robust`] for eight segments at once, reduced to the question whether a root lies in (0, 1).
+    fn shade_sphere(sphere: &SphereFan, fan: &Fan, lit: &mut [f64]) {
+        let SphereFan { f, c, r2 } = *sphere;
+        for (lanes, lit) in fan.lanes().zip(lit.chunks_exact_mut(LANES)) {
+            let Lanes { x, y, z } = lanes;
+            for i in 0..LANES {
+                let a = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+                let b = -(f.x * x[i] + f.y * y[i] + f.z * z[i]);
+                let k = b / a;
+                let (lx, ly, lz) = (f.x + k * x[i], f.y + k * y[i], f.z + k * z[i]);
+                let discriminant = r2 - (lx * lx + ly * ly + lz * lz);
+                let s = (a * discriminant.max(0.0)).sqrt();
+                // Outside (c > 0) the nearer root c/(b + s) lies in (0, 1); inside the farther one (b + s)/a does.
+                let outside = (b > 0.0) & (c < b + s) & (c > 0.0);
+                let inside = (c <= 0.0) & (b + s < a) & (b + s > 0.0);
+                let blocked = (discriminant > 0.0) & (outside | inside);
+                lit[i] = if blocked { 0.0 } else { lit[i] };
+            }
         }
     }
 }
