@@ -1,1 +1,3 @@
+//! Laws: properties and invariants, module by module.
 
+mod architecture;
