@@ -1,1 +1,3 @@
-//! Under construction.
+//! The verbs of the `lightbench` command: what each does with files, apart from reading flags.
+
+pub mod compare;

@@ -1,1 +1,2 @@
-
+mod film;
+mod film_files;
