@@ -28,7 +28,7 @@ pub enum Format {
     Png8,
     /// PNG with 16 bits per channel; has no ending of its own.
     Png16,
-    /// OpenEXR, 32-bit floating point, uncompressed lines of red, green, blue: `.exr`.
+    /// OpenEXR, 32-bit floating-point red, green, blue, compressed without loss: `.exr`.
     Exr,
     /// Radiance RGBE: `.hdr`.
     Hdr,
