@@ -3,13 +3,16 @@
 //! stdout carries results, and last the paths written, one a line; stderr carries progress, notes and
 //! errors. Exit codes: 0 done, 1 a claim failed or a file could not be written, 2 wrong usage or input.
 
+mod compare;
 mod render;
 
+use crate::film::file::FileError;
 use crate::kit::flags::Flags;
 use crate::probe;
 use clap::{Parser, Subcommand};
+use compare::CompareError;
 use std::io::{Read, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// An optical bench for learning light transport.
@@ -105,4 +108,14 @@ fn probe_table(topic: Option<&str>, method: Option<&str>, flags: &Flags) -> Resu
     let mut input = Vec::new();
     std::io::stdin().read_to_end(&mut input).map_err(|e| Failure::work(format!("stdin: {e}")))?;
     probe::run(topic, method, &input).map_err(|e| Failure::input(format!("probe {}: {e}", topic.name)))
+}
+
+/// Compares, and puts the error picture beside the other results.
+fn compare_pictures(a: &Path, b: &Path, flags: &Flags) -> Result<String, Failure> {
+    let stem = |path: &Path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let target = flags.out().join(format!("{}_minus_{}.png", stem(a), stem(b)));
+    compare::compare(a, b, Some(&target)).map_err(|e| match &e {
+        CompareError::File(FileError::Io { path, .. }) if *path == target => Failure::work(e),
+        _ => Failure::input(e),
+    })
 }

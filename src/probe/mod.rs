@@ -4,6 +4,7 @@
 //! in, a CSV with the answers comes out, row by row, every number printed so that it reads back exactly.
 
 mod camera;
+mod colour;
 mod surface;
 
 use crate::ray::Ray;
@@ -12,6 +13,7 @@ use std::fmt::Write;
 
 /// Every topic, chapter by chapter.
 pub const TOPICS: &[Topic] = &[
+    colour::SRGB_TRANSFER,
     camera::PINHOLE,
     camera::LOOKAT,
     camera::ROTATIONS,

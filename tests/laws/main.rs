@@ -1,3 +1,5 @@
 //! Laws: properties and invariants, module by module.
 
 mod architecture;
+mod film;
+mod film_files;
