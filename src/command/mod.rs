@@ -103,7 +103,9 @@ fn probe_table(topic: Option<&str>, method: Option<&str>, flags: &Flags) -> Resu
     if flags.list {
         return Ok(probe::list());
     }
-    let Some(topic) = topic else { return Err(Failure::input("probe: which topic? `probe --list` shows them")) };
+    let Some(topic) = topic else {
+        return Err(Failure::input("probe: which topic? `probe --list` shows them"));
+    };
     let topic = probe::topic(topic).map_err(|e| Failure::input(format!("probe: {e}")))?;
     let mut input = Vec::new();
     std::io::stdin().read_to_end(&mut input).map_err(|e| Failure::work(format!("stdin: {e}")))?;

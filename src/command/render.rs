@@ -77,9 +77,8 @@ impl Tone {
 }
 
 fn pixel(text: &str) -> Result<(usize, usize), String> {
-    let parts: Option<(usize, usize)> = text
-        .split_once(',')
-        .and_then(|(x, y)| Some((x.trim().parse().ok()?, y.trim().parse().ok()?)));
+    let parts: Option<(usize, usize)> =
+        text.split_once(',').and_then(|(x, y)| Some((x.trim().parse().ok()?, y.trim().parse().ok()?)));
     parts.ok_or_else(|| format!("expected column,row such as 256,128, found `{text}`"))
 }
 
@@ -181,7 +180,12 @@ fn render_scene(
 }
 
 /// What a picture says about itself: the command that makes it again, byte for byte.
-fn provenance(path: &Path, picture: Picture, args: &RenderArgs, flags: &Flags) -> Vec<(&'static str, String)> {
+fn provenance(
+    path: &Path,
+    picture: Picture,
+    args: &RenderArgs,
+    flags: &Flags,
+) -> Vec<(&'static str, String)> {
     let mut command = format!("lightbench render {}", path.display());
     for (name, value, default) in [
         ("integrator", args.integrator.to_possible_value(), IntegratorName::default().to_possible_value()),

@@ -44,7 +44,8 @@ pub fn imports(text: &str, root: &str) -> Vec<(usize, String)> {
                 None => vec![rest],
             };
             for name in names {
-                let name: String = name.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+                let name: String =
+                    name.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
                 found.push((number + 1, name));
             }
         }
@@ -63,10 +64,16 @@ fn every_module_stands_on_a_floor() {
         .collect();
     assert!(!declared.is_empty());
     for module in &declared {
-        assert!(floors.contains_key(module), "module `{module}` stands on no floor in the table of src/lib.rs");
+        assert!(
+            floors.contains_key(module),
+            "module `{module}` stands on no floor in the table of src/lib.rs"
+        );
     }
     for module in floors.keys() {
-        assert!(declared.contains(module), "the table of src/lib.rs has a module `{module}` that does not exist");
+        assert!(
+            declared.contains(module),
+            "the table of src/lib.rs has a module `{module}` that does not exist"
+        );
     }
 }
 
@@ -78,15 +85,17 @@ fn modules_import_strictly_lower_floors() {
     let mut wrong = Vec::new();
     for file in files {
         let inside = file.strip_prefix("src").expect("a file of src");
-        let module = inside.components().next().expect("a name").as_os_str().to_string_lossy().replace(".rs", "");
+        let module =
+            inside.components().next().expect("a name").as_os_str().to_string_lossy().replace(".rs", "");
         let Some(floor) = floors.get(&module) else { continue }; // lib.rs, main.rs
         let text = fs::read_to_string(&file).expect("a source file");
         for (line, used) in imports(&text, "crate::") {
             match floors.get(&used) {
                 Some(below) if below < floor || used == module => {}
-                Some(below) => {
-                    wrong.push(format!("{}:{line}: floor {floor} imports `{used}` of floor {below}", file.display()))
-                }
+                Some(below) => wrong.push(format!(
+                    "{}:{line}: floor {floor} imports `{used}` of floor {below}",
+                    file.display()
+                )),
                 None => {} // a macro, or a name that the compiler will refuse
             }
         }

@@ -3,3 +3,5 @@
 mod architecture;
 mod film;
 mod film_files;
+mod frame;
+mod local;
