@@ -1,1 +1,3 @@
-//! Under construction.
+//! The verbs of the `lightbench` command.
+
+pub mod check;

@@ -1,6 +1,7 @@
 //! The format, printed.
 
-use super::format::{BLOCKS, Default, Origin, Param, Rule, State, Times};
+use super::blocks::BLOCKS;
+use super::format::{Default, Origin, Param, Rule, State, Times};
 
 /// The whole format as Markdown: every block with its parameters, values, defaults and units.
 pub fn reference() -> String {

@@ -39,19 +39,17 @@ fn render_one(name: &str, source: &str, diagnostic: &Diagnostic, color: Color) -
     let place = Place::of(source, diagnostic.span.start);
     let excerpt = Excerpt::new(source, diagnostic);
     let heading = format!("{name}:{}:{}: {}", place.line, place.column, diagnostic.severity.word());
-    let tint = match diagnostic.severity {
-        Severity::Error => ariadne::Color::Red,
-        Severity::Warning => ariadne::Color::Yellow,
-        Severity::Note => ariadne::Color::Cyan,
+    let (tint, escape) = match diagnostic.severity {
+        Severity::Error => (ariadne::Color::Red, "31"),
+        Severity::Warning => (ariadne::Color::Yellow, "33"),
+        Severity::Note => (ariadne::Color::Cyan, "36"),
     };
     let primary = (name, excerpt.primary.clone());
     let config = Config::new()
         .with_color(color == Color::Always)
         .with_index_type(IndexType::Byte)
         .with_char_set(CharSet::Unicode);
-    let mut report = Report::build(ReportKind::Custom(&heading, tint), primary.clone())
-        .with_config(config)
-        .with_message(&diagnostic.message);
+    let mut report = Report::build(ReportKind::Error, primary.clone()).with_config(config);
     let (first, second) = if excerpt.related_comes_first() { (1, 0) } else { (0, 1) };
     let mut label = Label::new(primary).with_color(tint).with_order(first);
     if let Some(text) = diagnostic.label() {
@@ -65,26 +63,30 @@ fn render_one(name: &str, source: &str, diagnostic: &Diagnostic, color: Color) -
     if let Some(help) = &diagnostic.help {
         report = report.with_help(help);
     }
+    let heading = match color {
+        Color::Always => format!("\u{1b}[{escape}m{heading}:\u{1b}[0m {}", diagnostic.message),
+        Color::Never => format!("{heading}: {}", diagnostic.message),
+    };
     let mut bytes = Vec::new();
     // Writing to memory fails on no input; were it to, the heading still says what and where.
-    if report.finish().write((name, Source::from(excerpt.text.as_str())), &mut bytes).is_err() {
-        bytes = format!("{heading}: {}\n", diagnostic.message).into_bytes();
-    }
-    let text = String::from_utf8_lossy(&bytes);
-    let text = correct_column(&text, name, place, excerpt.first_column);
-    text.lines().map(str::trim_end).collect::<Vec<_>>().join("\n") + "\n"
+    let frame = match report.finish().write((name, Source::from(excerpt.text.as_str())), &mut bytes) {
+        Ok(()) => String::from_utf8_lossy(&bytes).into_owned(),
+        Err(_) => String::new(),
+    };
+    let frame = frame.split_once('\n').map_or("", |(_, rest)| rest); // our heading is better than its own
+    let frame = correct_column(frame, name, place, excerpt.first_column);
+    let lines = std::iter::once(heading.as_str()).chain(frame.lines().map(str::trim_end));
+    lines.collect::<Vec<_>>().join("\n") + "\n"
 }
 
 /// In a window of a long line the frame counts columns from the window's edge.
-fn correct_column(text: &str, name: &str, place: Place, first_column: usize) -> String {
+fn correct_column(frame: &str, name: &str, place: Place, first_column: usize) -> String {
     if first_column == 1 {
-        return text.to_owned();
+        return frame.to_owned();
     }
-    let Some((heading, frame)) = text.split_once('\n') else { return text.to_owned() };
     let shown = place.column + 2 - first_column; // the window begins with the mark `…`
-    let wrong = format!("─[ {name}:{}:{shown} ]", place.line);
-    let right = format!("─[ {name}:{}:{} ]", place.line, place.column);
-    format!("{heading}\n{}", frame.replacen(&wrong, &right, 1))
+    let wrong = format!(" {name}:{}:{shown} ", place.line);
+    frame.replacen(&wrong, &format!(" {name}:{}:{} ", place.line, place.column), 1)
 }
 
 /// The lines that a finding points at, harmless to a terminal; the others are left empty, so that

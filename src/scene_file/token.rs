@@ -31,7 +31,8 @@ pub struct Token<'a> {
 /// inside a quoted text. A quoted text ends on its line. Control characters are reported, once
 /// for the file, and otherwise count as white space.
 pub fn tokens<'a>(source: &'a str, log: &mut Vec<Diagnostic>) -> Vec<Token<'a>> {
-    let mut lexer = Lexer { source, at: 0, starts_line: true, tokens: Vec::new(), controls: None, curly: None };
+    let mut lexer =
+        Lexer { source, at: 0, starts_line: true, tokens: Vec::new(), controls: None, curly: None };
     lexer.run(log);
     if let Some((span, count)) = lexer.controls.clone() {
         log.push(control_characters(source, span, count));
@@ -46,13 +47,10 @@ pub fn tokens<'a>(source: &'a str, log: &mut Vec<Diagnostic>) -> Vec<Token<'a>> 
 fn control_characters(source: &str, span: Span, count: usize) -> Diagnostic {
     let code = source[span.clone()].chars().next().map_or(0, u32::from);
     let rest = if count > 1 { format!(" (the first of {count} in this file)") } else { String::new() };
-    Diagnostic::error(
-        span.clone(),
-        format!("control character U+{code:04X} at byte {}{rest}", span.start),
-    )
-    .expected("text")
-    .found("a character that no text has")
-    .help("is this a binary file, or one saved as UTF-16? Scene files are UTF-8 text")
+    Diagnostic::error(span.clone(), format!("control character U+{code:04X} at byte {}{rest}", span.start))
+        .expected("text")
+        .found("a character that no text has")
+        .help("is this a binary file, or one saved as UTF-16? Scene files are UTF-8 text")
 }
 
 struct Lexer<'a> {
@@ -105,9 +103,8 @@ impl<'a> Lexer<'a> {
 
     fn word(&mut self) {
         let rest = &self.source[self.at..];
-        let ends = |c: char| {
-            c.is_whitespace() || c.is_control() || matches!(c, '{' | '}' | '#') || is_quote(c)
-        };
+        let ends =
+            |c: char| c.is_whitespace() || c.is_control() || matches!(c, '{' | '}' | '#') || is_quote(c);
         let span = self.at..self.at + rest.find(ends).unwrap_or(rest.len());
         self.push(TokenKind::Word, span.clone(), span);
     }
