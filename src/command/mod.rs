@@ -3,6 +3,7 @@
 //! stdout carries results, and last the paths written, one a line; stderr carries progress, notes and
 //! errors. Exit codes: 0 done, 1 a claim failed or a file could not be written, 2 wrong usage or input.
 
+mod check;
 mod compare;
 mod render;
 
@@ -32,7 +33,10 @@ enum Verb {
     /// Compare two pictures: errors in numbers, and where they lie as a picture
     Compare { a: PathBuf, b: PathBuf },
     /// Report every problem in scene files
-    Check { files: Vec<PathBuf> },
+    Check {
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+    },
     /// Evaluate a library function on each row of a table from stdin (`--list` shows the topics)
     Probe {
         /// What to compute
@@ -120,4 +124,17 @@ fn compare_pictures(a: &Path, b: &Path, flags: &Flags) -> Result<String, Failure
         CompareError::File(FileError::Io { path, .. }) if *path == target => Failure::work(e),
         _ => Failure::input(e),
     })
+}
+
+/// Checks scene files one after the other; the reports are the result, and a file with problems fails.
+fn check_files(files: &[PathBuf]) -> Result<String, Failure> {
+    let color = render::stderr_color();
+    let reports: Vec<_> = files.iter().map(|file| check::check(file, color)).collect();
+    let (right, wrong): (Vec<_>, Vec<_>) = reports.into_iter().partition(|r| r.problems == 0);
+    let texts = |reports: Vec<check::CheckReport>| reports.into_iter().map(|r| r.text).collect::<String>();
+    if wrong.is_empty() {
+        return Ok(texts(right));
+    }
+    print(&texts(right))?;
+    Err(Failure::input(texts(wrong)))
 }

@@ -5,3 +5,4 @@ mod film;
 mod film_files;
 mod frame;
 mod local;
+mod scene_file;
