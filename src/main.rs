@@ -1,3 +1,3 @@
-fn main() {
-    lightbench::command::probe_main()
+fn main() -> std::process::ExitCode {
+    lightbench::command::main()
 }

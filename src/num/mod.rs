@@ -1,6 +1,8 @@
 //! Numbers: rounding bounds, polynomial roots, sums.
 
 pub mod real;
+pub mod statistics;
+pub mod sum;
 
 /// Unit roundoff `u = 2⁻⁵³` of `f64`: the largest relative error of one rounding to nearest.
 pub const U: f64 = f64::EPSILON / 2.0;

@@ -38,7 +38,7 @@ impl Picture {
         if side * side == self.samples {
             DVec2::new(f64::from(s % side) + 0.5, f64::from(s / side) + 0.5) / f64::from(side)
         } else {
-            crate::sample::r2(s)
+            crate::sample::r2(0, s)
         }
     }
 }
@@ -152,7 +152,7 @@ fn pixel<I: Integrator, T: Trace>(
         let raster = DVec2::new(x as f64, y as f64) + picture.offset(s);
         let ray = scene.camera.ray(raster, picture.width, picture.height);
         let index = (y * picture.width + x) as u64;
-        let mut sampler = Sampler::new(picture.seed, index, u64::from(s));
+        let mut sampler = Sampler::new(picture.seed, index, s);
         sum += integrator.radiance(scene, &ray, &mut sampler, scratch, trace);
     }
     sum / f64::from(picture.samples)

@@ -40,7 +40,11 @@ fn room(placement: Placement) -> Scene {
     let light = AreaLight::new(center, DVec3::NEG_Z, 0.3, size, Rgb::ONE, Falloff::None).expect("a light");
     scene.lights.push(Light::Area(light.subdivided(5, 5, placement)));
     let position = DVec3::new(-3.0, 8.0, 4.0);
-    scene.lights.push(Light::Point(PointLight { position, power: Rgb::splat(20.0), falloff: Falloff::InverseSquare }));
+    scene.lights.push(Light::Point(PointLight {
+        position,
+        power: Rgb::splat(20.0),
+        falloff: Falloff::InverseSquare,
+    }));
     scene
 }
 
@@ -137,7 +141,8 @@ fn a_radiometric_rectangle_converges_to_its_closed_form() {
         let center = DVec3::new(0.0, height, 0.0);
         let size = DVec2::splat(2.0 * half);
         let falloff = Falloff::InverseSquare;
-        let light = AreaLight::new(center, DVec3::NEG_Y, 0.0, size, Rgb::splat(3.0), falloff).expect("a light");
+        let light =
+            AreaLight::new(center, DVec3::NEG_Y, 0.0, size, Rgb::splat(3.0), falloff).expect("a light");
         // The camera looks through the light: its back is not there.
         (floor_under(Light::Area(light.subdivided(n, n, Placement::Grid))).x - truth).abs()
     };
@@ -152,7 +157,8 @@ fn a_light_may_touch_what_carries_it() {
     for height in [0.1, 1.0 / 3.0, 7.7, 1e6 / 3.0] {
         let center = DVec3::new(0.1, height, 0.7 / 3.0);
         let size = DVec2::splat(0.4 * height);
-        let light = AreaLight::new(center, DVec3::NEG_Y, 0.1, size, Rgb::ONE, Falloff::None).expect("a light");
+        let light =
+            AreaLight::new(center, DVec3::NEG_Y, 0.1, size, Rgb::ONE, Falloff::None).expect("a light");
         let mut ends = Ends::within(center, size.length());
         ends.place((0..100).map(|i| light.subdivided(10, 10, Placement::Grid).point(i, DVec2::splat(0.5))));
         let mut fan = Fan::new(Vectors::Widest);
@@ -167,7 +173,12 @@ fn a_light_may_touch_what_carries_it() {
 
 /// The decisions of [`Shape::shade`] and [`Shape::blocks`] differ at most where a segment is tangent or ends on
 /// the surface, and [`Shape::may_block`] never says no to a segment that is blocked.
-fn fan_agrees_with_rays(shape: &dyn Shape, origin: DVec3, center: DVec3, radius: f64) -> Result<(), TestCaseError> {
+fn fan_agrees_with_rays(
+    shape: &dyn Shape,
+    origin: DVec3,
+    center: DVec3,
+    radius: f64,
+) -> Result<(), TestCaseError> {
     let mut ends = Ends::within(center, radius);
     let spiral = |i: u32| {
         let (sin, cos) = (f64::from(i) * 2.4).sin_cos();
@@ -182,7 +193,11 @@ fn fan_agrees_with_rays(shape: &dyn Shape, origin: DVec3, center: DVec3, radius:
         let segment = Ray::new(origin, fan.direction(i));
         prop_assert_eq!(*lit == 0.0, shape.blocks(&segment, 1.0), "segment {}", i);
         if *lit == 0.0 {
-            prop_assert!(fan.hull.overlaps(&shape.bounds()) && shape.may_block(&fan), "segment {} is culled", i);
+            prop_assert!(
+                fan.hull.overlaps(&shape.bounds()) && shape.may_block(&fan),
+                "segment {} is culled",
+                i
+            );
         }
     }
     Ok(())

@@ -11,7 +11,8 @@ fn spheres_agree_with_their_table() {
 #[test]
 fn the_table_catches_the_textbook_sphere() {
     for method in ["algebraic", "geometric"] {
-        let (_, wrong) = wrong_rows("ray_sphere", Some(method), include_str!("../data/ray_sphere.csv"), sphere_roots);
+        let (_, wrong) =
+            wrong_rows("ray_sphere", Some(method), include_str!("../data/ray_sphere.csv"), sphere_roots);
         assert!(wrong.len() >= 50, "{method}: only {} rows wrong", wrong.len());
     }
 }
@@ -45,5 +46,9 @@ fn rotations_agree_with_their_table() {
 
 #[test]
 fn transformed_normals_agree_with_their_table() {
-    all_right("normal_transform", include_str!("../data/normal_transform.csv"), columns(&["tnx", "tny", "tnz"], 1e-9));
+    all_right(
+        "normal_transform",
+        include_str!("../data/normal_transform.csv"),
+        columns(&["tnx", "tny", "tnz"], 1e-9),
+    );
 }

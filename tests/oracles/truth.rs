@@ -34,7 +34,8 @@ pub fn records(csv_text: &str) -> Vec<Record> {
     let mut reader = csv::Reader::from_reader(csv_text.as_bytes());
     let header = reader.headers().expect("a header").clone();
     let rows = reader.records().map(|r| r.expect("a row"));
-    rows.map(|r| Record(header.iter().map(str::to_string).zip(r.iter().map(str::to_string)).collect())).collect()
+    rows.map(|r| Record(header.iter().map(str::to_string).zip(r.iter().map(str::to_string)).collect()))
+        .collect()
 }
 
 /// Runs a topic over its table and lists the rows that `judge` (error in units of its tolerance) finds wrong.
