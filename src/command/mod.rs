@@ -3,8 +3,8 @@
 //! stdout carries results, and last the paths written, one a line; stderr carries progress, notes and
 //! errors. Exit codes: 0 done, 1 a claim failed or a file could not be written, 2 wrong usage or input.
 
-mod check;
-mod compare;
+pub mod check;
+pub mod compare;
 mod render;
 
 use crate::film::file::FileError;

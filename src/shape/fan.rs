@@ -110,12 +110,13 @@ impl Fan {
     pub fn aim(&mut self, origin: DVec3, ends: &Ends) {
         let to = ends.center - origin;
         let distance = to.length();
+        let hull = ends.hull.unwrap_or(Aabb::EMPTY);
         let coordinates = origin.abs().max_element() + ends.center.abs().max_element() + ends.radius;
-        let nearest = (distance - ends.radius).max(gamma(16) * coordinates);
-        let shorten = 1.0 - (gamma(16) * (1.0 + coordinates / nearest)).min(0.5);
+        let nearest = (origin.clamp(hull.min, hull.max) - origin).length();
+        // Never by more than half the digits, even where the origin lies among the ends.
+        let shorten = 1.0 - (gamma(16) * (1.0 + coordinates / nearest)).min(f64::EPSILON.sqrt());
         self.origin = origin;
-        self.hull = ends.hull.unwrap_or(Aabb::EMPTY);
-        self.hull = Aabb::new(self.hull.min.min(origin), self.hull.max.max(origin));
+        self.hull = Aabb::new(hull.min.min(origin), hull.max.max(origin));
         self.len = ends.len;
         // A point within the ends' ball sees them in every direction: a cone of half angle π.
         let everywhere = !(distance > ends.radius);
