@@ -27,9 +27,9 @@ pub struct Comparison {
     /// mean( d² / (b² + δ) ),    δ = (0.01 Ȳ)²,    Ȳ = mean of Y(|b|)
     /// ```
     ///
-    /// δ keeps dark pixels from dominating. It is tied to the mean luminance of the reference, so
-    /// that the number is the same for pictures in W and in mW; 0.01 is where 1 % of the mean
-    /// counts as black (tuned: at 0.001 one dark corner pixel rules, at 0.1 all shadows vanish).
+    /// δ keeps dark pixels from dominating. It is tied to the mean luminance of the reference, so that
+    /// the number is the same for pictures in W and in mW. Exposed so that Ȳ shows as middle grey
+    /// (0.18), 0.01 Ȳ is level 6 of 255: what a display shows as black.
     /// 0 for identical pictures, ∞ if only the reference is black.
     pub relative_mse: f64,
     /// Peak signal-to-noise ratio of the display values [dB], peak 1; ∞ if they are identical.
