@@ -44,8 +44,8 @@ pub struct Comparison {
     pub max_error: f64,
     /// Where that is: the first such place, row by row.
     pub max_at: Place,
-    /// Pixels at which one picture is NaN or infinite. They make the numbers above NaN or
-    /// infinite: nothing is left out in silence.
+    /// Pixels at which one picture is NaN or infinite. NaN spoils every number above, and
+    /// ∞ those of the error (a display shows it as white): nothing is left out in silence.
     pub not_finite: usize,
 }
 
@@ -65,7 +65,7 @@ pub struct Place {
 ///   magnitudes. Squares are taken of scaled numbers: neither 1e-200 nor 1e200 is lost.
 /// - NaN goes through, and is counted.
 /// - Source: SSIM by Wang, Bovik, Sheikh & Simoncelli (2004); relative MSE with a floor as in
-///   Rousselle, Knaus & Zwicker (2011), whose floor is the absolute 0.01.
+///   Rousselle, Knaus & Zwicker (2011), whose floor is an absolute constant.
 pub fn compare(a: &Image, b: &Image) -> Comparison {
     assert_eq!((a.width(), a.height()), (b.width(), b.height()), "pictures of one size");
     assert!(!a.pixels().is_empty(), "pictures with pixels");
