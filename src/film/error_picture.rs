@@ -14,7 +14,8 @@ pub struct ErrorPicture {
     pub saturated: usize,
 }
 
-/// Share of the pixels whose error is within full scale: a few fireflies must not bleach the rest.
+/// Share of the pixels whose error is within full scale. Tuned: at 1 one firefly bleaches all the rest, at
+/// 0.9 a tenth of every picture is saturated.
 const WITHIN_SCALE: f64 = 0.99;
 
 /// Draws `a − b`, in each pixel that of the channel with the largest magnitude, by [`diverging`].

@@ -27,9 +27,9 @@ pub struct Comparison {
     /// mean( d² / (b² + δ) ),    δ = (0.01 Ȳ)²,    Ȳ = mean of Y(|b|)
     /// ```
     ///
-    /// δ keeps dark pixels from dominating. It is tied to the mean luminance of the reference, so
-    /// that the number is the same for pictures in W and in mW; 0.01 is where 1 % of the mean
-    /// counts as black (tuned: at 0.001 one dark corner pixel rules, at 0.1 all shadows vanish).
+    /// δ keeps dark pixels from dominating. It is tied to the mean luminance of the reference, so that
+    /// the number is the same for pictures in W and in mW. Exposed so that Ȳ shows as middle grey
+    /// (0.18), 0.01 Ȳ is level 6 of 255: what a display shows as black.
     /// 0 for identical pictures, ∞ if only the reference is black.
     pub relative_mse: f64,
     /// Peak signal-to-noise ratio of the display values [dB], peak 1; ∞ if they are identical.
@@ -44,8 +44,8 @@ pub struct Comparison {
     pub max_error: f64,
     /// Where that is: the first such place, row by row.
     pub max_at: Place,
-    /// Pixels at which one picture is NaN or infinite. They make the numbers above NaN or
-    /// infinite: nothing is left out in silence.
+    /// Pixels at which one picture is NaN or infinite. NaN spoils every number above, and
+    /// ∞ those of the error (a display shows it as white): nothing is left out in silence.
     pub not_finite: usize,
 }
 
@@ -65,7 +65,7 @@ pub struct Place {
 ///   magnitudes. Squares are taken of scaled numbers: neither 1e-200 nor 1e200 is lost.
 /// - NaN goes through, and is counted.
 /// - Source: SSIM by Wang, Bovik, Sheikh & Simoncelli (2004); relative MSE with a floor as in
-///   Rousselle, Knaus & Zwicker (2011), whose floor is the absolute 0.01.
+///   Rousselle, Knaus & Zwicker (2011), whose floor is an absolute constant.
 pub fn compare(a: &Image, b: &Image) -> Comparison {
     assert_eq!((a.width(), a.height()), (b.width(), b.height()), "pictures of one size");
     assert!(!a.pixels().is_empty(), "pictures with pixels");

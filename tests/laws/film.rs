@@ -269,7 +269,8 @@ fn tone_maps_keep_what_is_in_range_and_show_nan() {
         assert!(p.x.is_nan() && p.y == 1.0 && p.z == 0.0, "{}: {p}", map.name());
     }
     assert_eq!(filmic(0.0), 0.0);
-    assert!(filmic(7.24) < 1.0 && filmic(7.25) == 1.0 && filmic(f64::MAX) == 1.0);
+    assert!(filmic(7.24) < 1.0 && filmic(7.25) == 1.0);
+    assert!([1e155, 1e200, f64::MAX].iter().all(|x| filmic(*x) == 1.0));
 }
 
 /// Three divisors turn every colour towards the missing ones: an orange pixel becomes white.
