@@ -351,7 +351,7 @@ impl<'a> Parser<'a, '_> {
             };
             self.at += 1;
             if let Err(d) = value::check_one(token, param) {
-                self.log.push(d);
+                self.log.push(*d);
                 self.resume(rule);
                 return entry;
             }
@@ -364,7 +364,7 @@ impl<'a> Parser<'a, '_> {
             return entry;
         }
         entry.span = given.first().map_or(0, |t| t.span.start)..given.last().map_or(0, |t| t.span.end);
-        entry.value = value::value(given, &entry.span, param).map_err(|d| self.log.push(d)).ok();
+        entry.value = value::value(given, &entry.span, param).map_err(|d| self.log.push(*d)).ok();
         entry
     }
 

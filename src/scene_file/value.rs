@@ -42,7 +42,7 @@ fn not_finite(word: &str) -> bool {
 }
 
 /// Checks one value as far as it can be checked alone.
-pub fn check_one(token: &Token, param: &Param) -> Result<(), Diagnostic> {
+pub fn check_one(token: &Token, param: &Param) -> Result<(), Wrong> {
     match param.kind {
         Kind::Numbers { .. } => number(token, param).map(|_| ()),
         Kind::Integers { .. } => integer(token, param).map(|_| ()),
@@ -51,7 +51,7 @@ pub fn check_one(token: &Token, param: &Param) -> Result<(), Diagnostic> {
 }
 
 /// The values of `param`, as many as it takes, each of them passed by [`check_one`].
-pub fn value(tokens: &[Token], span: &Span, param: &Param) -> Result<Value, Diagnostic> {
+pub fn value(tokens: &[Token], span: &Span, param: &Param) -> Result<Value, Wrong> {
     Ok(match param.kind {
         Kind::Numbers { domain, .. } => {
             let values: Vec<f64> = tokens.iter().map(|t| number(t, param)).collect::<Result<_, _>>()?;
@@ -65,47 +65,48 @@ pub fn value(tokens: &[Token], span: &Span, param: &Param) -> Result<Value, Diag
     })
 }
 
-fn inside(
-    values: &[f64],
-    tokens: &[Token],
-    span: &Span,
-    param: &Param,
-    domain: Domain,
-) -> Result<(), Diagnostic> {
+/// What is wrong with one value; boxed, because that is rare and long.
+type Wrong = Box<Diagnostic>;
+
+fn wrong(token: &Token, param: &Param, message: String) -> Wrong {
+    let d = Diagnostic::error(token.span.clone(), message);
+    Box::new(d.expected(param.kind.one()).found(describe(token)))
+}
+
+fn out_of_range(token: &Token, param: &Param) -> Wrong {
+    wrong(token, param, format!("`{}` is out of range", param.name))
+}
+
+fn inside(values: &[f64], tokens: &[Token], span: &Span, param: &Param, domain: Domain) -> Result<(), Wrong> {
     match domain.outside(values) {
         None => Ok(()),
-        Some(Some(i)) => {
-            let message = format!("`{}` is out of range", param.name);
-            Err(Diagnostic::error(tokens[i].span.clone(), message)
-                .expected(param.kind.one())
-                .found(describe(&tokens[i])))
-        }
+        Some(Some(i)) => Err(out_of_range(&tokens[i], param)),
         Some(None) => {
             let message = format!("`{}` has no direction", param.name);
-            Err(Diagnostic::error(span.clone(), message).expected(param.kind.all()).found("the zero vector"))
+            let d = Diagnostic::error(span.clone(), message).expected(param.kind.all());
+            Err(Box::new(d.found("the zero vector")))
         }
     }
 }
 
 /// A finite number.
-fn number(token: &Token, param: &Param) -> Result<f64, Diagnostic> {
-    let wrong = |message: String| {
-        Diagnostic::error(token.span.clone(), message).expected(param.kind.one()).found(describe(token))
-    };
+fn number(token: &Token, param: &Param) -> Result<f64, Wrong> {
     if token.kind != TokenKind::Word {
-        return Err(wrong(format!("`{}` takes numbers, not texts", param.name)));
+        return Err(wrong(token, param, format!("`{}` takes numbers, not texts", param.name)));
     }
     if not_finite(token.text) {
-        return Err(wrong(format!("`{}` must be finite", param.name)));
+        return Err(wrong(token, param, format!("`{}` must be finite", param.name)));
     }
     match token.text.parse::<f64>() {
         Ok(x) if x.is_finite() => Ok(x),
-        Ok(_) => Err(wrong(format!("{} is too large for a number", quoted(token.text)))
-            .help(format!("the largest is {:e}", f64::MAX))),
+        Ok(_) => {
+            let d = wrong(token, param, format!("{} is too large for a number", quoted(token.text)));
+            Err(Box::new(d.help(format!("the largest is {:e}", f64::MAX))))
+        }
         Err(_) => {
-            let d = wrong(format!("{} is not a number", quoted(token.text)));
+            let d = wrong(token, param, format!("{} is not a number", quoted(token.text)));
             Err(match spelling(token.text) {
-                Some(help) => d.help(help),
+                Some(help) => Box::new(d.help(help)),
                 None => d,
             })
         }
@@ -113,27 +114,19 @@ fn number(token: &Token, param: &Param) -> Result<f64, Diagnostic> {
 }
 
 /// A whole number in its range.
-fn integer(token: &Token, param: &Param) -> Result<i64, Diagnostic> {
+fn integer(token: &Token, param: &Param) -> Result<i64, Wrong> {
     let Kind::Integers { from, to, .. } = param.kind else { return Ok(0) };
-    if let Ok(n) = token.text.parse::<i64>() {
-        if token.kind == TokenKind::Word && (from..=to).contains(&n) {
-            return Ok(n);
-        }
-        let message = format!("`{}` is out of range", param.name);
-        return Err(Diagnostic::error(token.span.clone(), message)
-            .expected(param.kind.one())
-            .found(describe(token)));
-    }
     number(token, param)?; // says what is wrong with it, if it is no number at all
-    let digits = token.text.trim_start_matches(['+', '-']).bytes().all(|b| b.is_ascii_digit());
-    let message = match digits {
-        true => format!("`{}` is out of range", param.name),
-        false => format!("{} is not a whole number", quoted(token.text)),
-    };
-    Err(Diagnostic::error(token.span.clone(), message).expected(param.kind.one()).found(describe(token)))
+    if let Ok(n) = token.text.parse::<i64>() {
+        return if (from..=to).contains(&n) { Ok(n) } else { Err(out_of_range(token, param)) };
+    }
+    match token.text.trim_start_matches(['+', '-']).bytes().all(|b| b.is_ascii_digit()) {
+        true => Err(out_of_range(token, param)), // more digits than fit
+        false => Err(wrong(token, param, format!("{} is not a whole number", quoted(token.text)))),
+    }
 }
 
-/// What probably went wrong in a number.
+/// What was probably meant by a word that is not a number.
 fn spelling(word: &str) -> Option<String> {
     let plain: String = word.chars().map(|c| if matches!(c, '−' | '–') { '-' } else { c }).collect();
     let fixed = plain.trim_end_matches([',', ';', 'f', 'd']).replacen(',', ".", 1);
@@ -142,21 +135,19 @@ fn spelling(word: &str) -> Option<String> {
 }
 
 /// A name, a text or one of some words.
-fn word<'a>(token: &Token<'a>, param: &Param) -> Result<&'a str, Diagnostic> {
-    let wrong = |message: String| {
-        Diagnostic::error(token.span.clone(), message).expected(param.kind.one()).found(describe(token))
-    };
+fn word<'a>(token: &Token<'a>, param: &Param) -> Result<&'a str, Wrong> {
+    let wrong = |message: String| Err(wrong(token, param, message));
     match param.kind {
         Kind::Text if token.kind != TokenKind::Quoted => {
-            Err(wrong(format!("`{}` needs quotes", param.name)).help(format!("write `{} \"…\"`", param.name)))
+            wrong(format!("`{0}` needs quotes: `{0} \"…\"`", param.name))
         }
         Kind::Choice(words) if !words.contains(&token.text) => {
-            Err(wrong(format!("`{}` has no choice {}", param.name, quoted(token.text))))
+            wrong(format!("`{}` has no choice {}", param.name, quoted(token.text)))
         }
         Kind::Name | Kind::Reference(_) if token.text.contains(char::is_whitespace) => {
-            Err(wrong(format!("`{}` must not hold spaces", param.name)))
+            wrong(format!("`{}` must not hold spaces", param.name))
         }
-        _ if token.text.is_empty() => Err(wrong(format!("`{}` is empty", param.name))),
+        _ if token.text.is_empty() => wrong(format!("`{}` is empty", param.name)),
         _ => Ok(token.text),
     }
 }
