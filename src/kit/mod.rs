@@ -1,1 +1,3 @@
-//! Under construction.
+//! What lessons are made with.
+
+pub mod figure;
