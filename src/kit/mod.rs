@@ -2,5 +2,6 @@
 
 pub mod figure;
 pub mod flags;
+pub mod lesson;
 pub mod progress;
 pub mod replay;

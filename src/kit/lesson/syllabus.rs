@@ -1,0 +1,61 @@
+//! The only list of lessons.
+
+/// A lesson's place in the course.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    pub number: u32,
+    /// The word in file names: `lessons/02_sphere.rs`, `figures/02_sphere_…`.
+    pub name: &'static str,
+    pub question: &'static str,
+    pub chapter: &'static str,
+    /// Modules that appear for the first time; a lesson may import these, those of earlier lessons, and
+    /// what every lesson may: floors 0–2, `scene`, `render`, `kit`.
+    pub introduces: &'static [&'static str],
+    /// Numbers of the lessons to read before, and what each one gave.
+    pub builds_on: &'static [(u32, &'static str)],
+}
+
+/// Every lesson, in order.
+pub const SYLLABUS: &[Entry] = &[
+    Entry {
+        number: 1,
+        name: "pinhole",
+        question: "How does a hole make a picture, and why do we trace light backwards?",
+        chapter: "Seeing",
+        introduces: &[],
+        builds_on: &[],
+    },
+    Entry {
+        number: 2,
+        name: "sphere",
+        question: "Which of three ways to meet a sphere survives distance, and what does it cost?",
+        chapter: "Seeing",
+        introduces: &["shape::sphere", "shape"],
+        builds_on: &[(1, "a pixel becomes a ray")],
+    },
+    Entry {
+        number: 3,
+        name: "first_picture",
+        question: "What does each stage of a first picture cost, and what does it buy?",
+        chapter: "Seeing",
+        introduces: &["integrator", "light", "scene_file", "shape::cuboid"],
+        builds_on: &[(1, "a pixel becomes a ray"), (2, "a ray meets a sphere")],
+    },
+];
+
+impl Entry {
+    /// `02_sphere`: the stem of the lesson's source and the prefix of its files.
+    pub fn stem(&self) -> String {
+        format!("{:02}_{}", self.number, self.name)
+    }
+
+    /// `lesson_02`: the program.
+    pub fn program(&self) -> String {
+        format!("lesson_{:02}", self.number)
+    }
+}
+
+/// The entry of a lesson.
+pub fn entry(number: u32) -> Option<&'static Entry> {
+    SYLLABUS.iter().find(|e| e.number == number)
+}
