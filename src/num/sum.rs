@@ -36,8 +36,7 @@ impl AddAssign<f64> for Sum {
     #[inline]
     fn add_assign(&mut self, x: f64) {
         let total = self.sum + x;
-        self.error +=
-            if self.sum.abs() >= x.abs() { (self.sum - total) + x } else { (x - total) + self.sum };
+        self.error += if self.sum.abs() >= x.abs() { (self.sum - total) + x } else { (x - total) + self.sum };
         self.sum = total;
     }
 }

@@ -87,8 +87,7 @@ const R2_STEPS: [u64; 2] = [0xC13F_A9A9_02A6_328F, 0x91E1_0DA5_C79E_7B1D];
 #[inline]
 pub fn r2(seed: u64, i: u32) -> DVec2 {
     let shift = block(seed, 0, 1, Purpose::Sequence, 0);
-    let at = |axis: usize| {
-        unit_from_bits(shift[axis].wrapping_add(R2_STEPS[axis].wrapping_mul(u64::from(i))))
-    };
+    let at =
+        |axis: usize| unit_from_bits(shift[axis].wrapping_add(R2_STEPS[axis].wrapping_mul(u64::from(i))));
     DVec2::new(at(0), at(1))
 }

@@ -1,1 +1,7 @@
+//! Oracles: closed forms, brute force, chi-square, and tables of high precision.
 
+#[path = "../support/mod.rs"]
+mod support;
+
+mod sample;
+mod statistics;
