@@ -1,5 +1,10 @@
-//! Oracles: closed forms, brute force, high-precision tables.
+//! Oracles: closed forms, brute force, chi-square, and tables of high precision.
+
+#[path = "../support/mod.rs"]
+mod support;
 
 mod film;
+mod sample;
+mod statistics;
 mod tables;
 mod truth;

@@ -1,6 +1,6 @@
 //! The incomplete beta function, and Student's t.
 
-use super::{continued_fraction, ln_1p_minus, stirling_error};
+use super::{continued_fraction, log_ratio_minus, stirling_error};
 use std::f64::consts::TAU;
 
 /// The regularised incomplete beta function `I_x(a, b)`, `x + y = 1`.
@@ -46,12 +46,13 @@ fn lower(a: f64, b: f64, x: f64, y: f64) -> f64 {
 /// `x^a y^b / B(a, b)`, without the cancellation of its logarithms at large `a`, `b`.
 ///
 /// ```text
-/// √(ab / (2π(a + b))) exp(a Λ((x − x₀)/x₀) + b Λ((y − y₀)/y₀) + δ(a + b) − δ(a) − δ(b)),
-/// x₀ = a/(a + b),    y₀ = b/(a + b),    Λ(μ) = ln(1 + μ) − μ
+/// √(ab / (2π(a + b))) exp(a Λ(x/x₀) + b Λ(y/y₀) + δ(a + b) − δ(a) − δ(b)),
+/// x₀ = a/(a + b),    y₀ = b/(a + b),    Λ(q) = ln q − (q − 1)
 /// ```
 fn front(a: f64, b: f64, x: f64, y: f64) -> f64 {
     let lambda = b * x - a * y; // (a + b)(x − x₀)
-    let exponent = a * ln_1p_minus(lambda / a) + b * ln_1p_minus(-lambda / b);
+    let (x_ratio, y_ratio) = (x * ((a + b) / a), y * ((a + b) / b));
+    let exponent = a * log_ratio_minus(x_ratio, lambda / a) + b * log_ratio_minus(y_ratio, -lambda / b);
     let small = stirling_error(a + b) - stirling_error(a) - stirling_error(b);
     (a / (a + b) * (b / TAU)).sqrt() * (exponent + small).exp()
 }

@@ -1,6 +1,6 @@
 //! The incomplete gamma function, and chi-square.
 
-use super::{continued_fraction, ln_1p_minus, stirling_error};
+use super::{continued_fraction, log_ratio_minus, stirling_error};
 use crate::num::U;
 use std::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 /// ```
 ///
 /// - Domain: `x > 0`; 0 and `+∞` give `+∞`.
-/// - Accuracy: absolute error ≤ `8 u · max(1, x |ln x|)`, as tested; near the zeros 1 and 2 only the absolute
+/// - Accuracy: absolute error ≤ `8 u · max(1, |ln Γ(x)|)`, as tested; near the zeros 1 and 2 only the absolute
 ///   error is small.
 /// - NaN in, NaN out.
 /// - Source: Abramowitz & Stegun (1964) 6.1.40.
@@ -52,11 +52,10 @@ pub fn chi2_survival(chi2: f64, dof: f64) -> f64 {
 /// `x^a e^(−x) / Γ(a)`, without the cancellation of `a ln x − x − ln Γ(a)` at large `a`.
 ///
 /// ```text
-/// √(a/2π) exp(a (ln(1 + μ) − μ) − δ(a)),    μ = (x − a)/a
+/// √(a/2π) exp(a (ln q − (q − 1)) − δ(a)),    q = x/a
 /// ```
 fn front(a: f64, x: f64) -> f64 {
-    let mu = (x - a) / a;
-    (a / TAU).sqrt() * (a * ln_1p_minus(mu) - stirling_error(a)).exp()
+    (a / TAU).sqrt() * (a * log_ratio_minus(x / a, (x - a) / a) - stirling_error(a)).exp()
 }
 
 fn lower_by_series(a: f64, x: f64) -> f64 {

@@ -30,18 +30,20 @@ pub fn sidak(significance: f64, tests: u32) -> f64 {
     -((-significance).ln_1p() / f64::from(tests)).exp_m1()
 }
 
-/// `ln(1 + x) − x`, which cancels its first order away.
+/// `ln q − (q − 1)` of a ratio `q`, which cancels its first order away where `q` is near 1.
 ///
 /// ```text
-/// r = x/(2 + x):    ln(1 + x) − x = −x r + 2 (r³/3 + r⁵/5 + …)
+/// x = q − 1,  r = x/(2 + x):    ln(1 + x) − x = −x r + 2 (r³/3 + r⁵/5 + …)
 /// ```
 ///
-/// - Domain: `x > −1`; −1 gives −∞.
+/// Both `q` and `x` are asked for: each keeps digits that the other has lost, `q` near 0 and `x` near 0.
+///
+/// - Domain: `q ≥ 0`; 0 gives −∞.
 /// - Accuracy: relative error about `20 u`: for |x| ≤ 1/2 the two terms differ by a factor of 4 or more in size;
-///   beyond, the difference is at least a fifth of `ln(1 + x)`.
-fn ln_1p_minus(x: f64) -> f64 {
+///   beyond, the difference is at least a fifth of `ln q`.
+fn log_ratio_minus(q: f64, x: f64) -> f64 {
     if x.abs() > 0.5 {
-        return x.ln_1p() - x;
+        return q.ln() - x;
     }
     let r = x / (2.0 + x);
     let r2 = r * r;
