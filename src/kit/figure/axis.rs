@@ -126,6 +126,15 @@ impl Ruler {
         share.is_finite().then(|| self.start + share.clamp(-50.0, 50.0) * (self.end - self.start))
     }
 
+    /// The value at a pixel.
+    pub fn value(&self, pixel: f64) -> f64 {
+        let share = (pixel - self.start) / (self.end - self.start);
+        match self.scale {
+            Scale::Log => self.low * (self.high / self.low).powf(share),
+            Scale::Linear => self.low + (self.high - self.low) * share,
+        }
+    }
+
     /// The pixel of a value that lies inside the range.
     pub fn inside(&self, value: f64) -> Option<f64> {
         let (a, b) = (self.start.min(self.end) - 0.5, self.start.max(self.end) + 0.5);

@@ -15,21 +15,33 @@
 //! ```
 
 mod axis;
+mod bars;
 pub mod bitmap;
 mod chart;
 pub mod colormap;
+mod diagram;
 pub mod drawing;
 pub mod font;
 mod heading;
 pub mod ink;
 pub mod label;
+mod map;
+mod panels;
 mod raster;
+mod space;
 mod stroke;
 pub mod svg;
+mod table;
 
 pub use axis::{Axis, Scale};
+pub use bars::Bars;
 pub use chart::{Chart, Guide};
+pub use diagram::{Diagram, Light};
 pub use drawing::{Drawing, Pixels};
+pub use map::{FailureMap, Shades};
+pub use panels::{ErrorPanel, Panels};
+pub use space::Space;
+pub use table::Table;
 
 /// Where a figure comes from: enough to draw it again. No date, so that the bytes repeat.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -10,6 +10,7 @@ mod names;
 mod plot;
 mod strips;
 
+pub(super) use line::Look;
 use line::{Line, Shape};
 
 use super::axis::Axis;
