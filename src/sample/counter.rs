@@ -49,6 +49,7 @@ pub fn philox4x32(counter: [u32; 4], key: [u32; 2]) -> [u32; 4] {
 
 /// What a block of random words is for; blocks of different purposes never coincide.
 #[derive(Clone, Copy)]
+#[repr(u32)]
 pub(super) enum Purpose {
     Dimension = 0,
     Permutation = 1 << 31,

@@ -240,6 +240,7 @@ pub fn power_cosine_pdf(w: DVec3, n: f64) -> f64 {
 /// 1/3. For lessons; everything else takes [`uniform_sphere`].
 ///
 /// - Domain: `u` in [0,1]². The printed 1.57 and 6.28 leave a wedge of 0.0032 rad empty.
+#[allow(clippy::approx_constant)] // the printed digits are the subject
 pub fn sphere_as_printed(u: DVec2) -> DVec3 {
     // A's own digits.
     const PRINTED_HALF_PI: f64 = 1.57;

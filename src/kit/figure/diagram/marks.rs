@@ -33,18 +33,56 @@ pub enum Head {
 /// One thing in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mark {
-    Area { points: Vec<DVec2>, area: Area },
+    Area {
+        points: Vec<DVec2>,
+        area: Area,
+    },
     /// Beyond the line through `p` with unit normal `n`, so many pixels deep.
-    Band { p: DVec2, n: DVec2, depth: f64 },
-    Curve { points: Vec<DVec2>, line: Line },
-    Ray { light: Light, a: DVec2, b: DVec2, head: Head },
-    Dot { p: DVec2, light: Option<Light> },
-    Lamp { p: DVec2 },
-    Eye { p: DVec2, towards: DVec2 },
-    Angle { vertex: DVec2, from: DVec2, to: DVec2, radius: f64 },
-    RightAngle { vertex: DVec2, from: DVec2, to: DVec2 },
-    Dimension { a: DVec2, b: DVec2, offset: f64 },
-    Nothing { p: DVec2 },
+    Band {
+        p: DVec2,
+        n: DVec2,
+        depth: f64,
+    },
+    Curve {
+        points: Vec<DVec2>,
+        line: Line,
+    },
+    Ray {
+        light: Light,
+        a: DVec2,
+        b: DVec2,
+        head: Head,
+    },
+    Dot {
+        p: DVec2,
+        light: Option<Light>,
+    },
+    Lamp {
+        p: DVec2,
+    },
+    Eye {
+        p: DVec2,
+        towards: DVec2,
+    },
+    Angle {
+        vertex: DVec2,
+        from: DVec2,
+        to: DVec2,
+        radius: f64,
+    },
+    RightAngle {
+        vertex: DVec2,
+        from: DVec2,
+        to: DVec2,
+    },
+    Dimension {
+        a: DVec2,
+        b: DVec2,
+        offset: f64,
+    },
+    Nothing {
+        p: DVec2,
+    },
 }
 
 /// The pen of a kind of light.
