@@ -5,6 +5,7 @@
 
 pub mod check;
 pub mod compare;
+mod figures;
 mod render;
 
 use crate::film::file::FileError;
@@ -28,6 +29,10 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Verb {
+    /// List the lessons
+    List,
+    /// Run the lessons and make every figure and the page `index.html` [default --out: figures]
+    Figures,
     /// Render scene files
     Render(render::RenderArgs),
     /// Compare two pictures: errors in numbers, and where they lie as a picture
@@ -80,6 +85,8 @@ pub fn main() -> ExitCode {
         }
     };
     let done = match cli.verb {
+        Verb::List => Ok(figures::list()),
+        Verb::Figures => figures::figures(&cli.flags),
         Verb::Render(args) => render::render(&args, &cli.flags),
         Verb::Compare { a, b } => compare_pictures(&a, &b, &cli.flags),
         Verb::Check { files } => check_files(&files),

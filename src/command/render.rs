@@ -228,6 +228,6 @@ fn replay_pixel(
         out += &ray.text(&file.scene);
     }
     let drawing = replay::draw(&file.scene, &rays, &format!("Pixel {x},{y} of {name}"));
-    crate::film::file::write_atomically(&target, drawing.as_bytes()).map_err(Failure::work)?;
+    crate::film::file::write_atomically(&target, drawing.svg().as_bytes()).map_err(Failure::work)?;
     Ok(out + &format!("{}\n", target.display()))
 }
