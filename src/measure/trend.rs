@@ -46,9 +46,12 @@ pub fn log_slope(series: &Series, repetitions: u32) -> Slope {
 /// `(ln parameter, ln error, σ(ln error))` of a point that has all three.
 fn logs(point: &super::Point, repetitions: u32) -> Option<(f64, f64, f64)> {
     let error = point.error?;
-    let usable = point.parameter > 0.0 && point.parameter.is_finite() && error.mid > 0.0 && error.mid.is_finite();
+    let usable =
+        point.parameter > 0.0 && point.parameter.is_finite() && error.mid > 0.0 && error.mid.is_finite();
     let normal = 1.0 / (2.0 * f64::from(repetitions.max(1))).sqrt();
-    usable.then(|| (point.parameter.ln(), error.mid.ln(), normal.max((error.high - error.low) / (2.0 * error.mid))))
+    usable.then(|| {
+        (point.parameter.ln(), error.mid.ln(), normal.max((error.high - error.low) / (2.0 * error.mid)))
+    })
 }
 
 /// Indices of the points `(cost, error)` that no other beats in both, by growing cost.

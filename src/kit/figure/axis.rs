@@ -31,7 +31,13 @@ pub struct Axis {
 
 impl Axis {
     pub fn log(title: &str) -> Self {
-        Axis { title: title.to_string(), scale: Scale::Log, writing: Writing::Numbers, range: None, step: None }
+        Axis {
+            title: title.to_string(),
+            scale: Scale::Log,
+            writing: Writing::Numbers,
+            range: None,
+            step: None,
+        }
     }
     pub fn linear(title: &str) -> Self {
         Axis { scale: Scale::Linear, ..Axis::log(title) }
@@ -61,8 +67,9 @@ impl Axis {
         let shown = |v: &f64| v.is_finite() && (self.scale == Scale::Linear || *v > 0.0);
         let given = self.range.filter(|(a, b)| a < b && shown(a) && shown(b));
         let (low, high) = given.unwrap_or_else(|| {
-            let (low, high) =
-                values.filter(shown).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+            let (low, high) = values
+                .filter(shown)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
             match self.scale {
                 _ if low > high => (0.1, 10.0),
                 Scale::Log => roomy_log(low, high),

@@ -52,8 +52,11 @@ impl Bars {
         let bottom = top + step * count + 6.0;
         drawing.height = (bottom + 3.2 * SIZE + MARGIN * 0.4).ceil().min(HEIGHT);
         let size = SIZE.min(step * 0.8);
-        let name = |m: &Method| if m.role == Role::Default { format!("{} (default)", m.name) } else { m.name.clone() };
-        let widest = self.bars.iter().map(|b| font::width(&name(&b.0), Face::Regular, size)).fold(0.0, f64::max);
+        let name = |m: &Method| {
+            if m.role == Role::Default { format!("{} (default)", m.name) } else { m.name.clone() }
+        };
+        let widest =
+            self.bars.iter().map(|b| font::width(&name(&b.0), Face::Regular, size)).fold(0.0, f64::max);
         let written = self.bars.iter().map(|b| font::width(&b.2, Face::Regular, size)).fold(0.0, f64::max);
         let left = (MARGIN + widest + 14.0).min(WIDTH * 0.5);
         let right = WIDTH - MARGIN - written - 12.0;
@@ -103,7 +106,8 @@ impl Bars {
 
 impl From<Bars> for Figure {
     fn from(bars: Bars) -> Figure {
-        let values: Vec<String> = bars.bars.iter().map(|(m, _, label)| format!("{} {label}", m.name)).collect();
+        let values: Vec<String> =
+            bars.bars.iter().map(|(m, _, label)| format!("{} {label}", m.name)).collect();
         let alt = format!("{}. Bars of {}: {}.", bars.heading.sentence(), bars.axis.title, values.join("; "));
         let mut figure = Figure::new(bars.draw(), &bars.heading.title, &alt);
         figure.caption = bars.heading.sentence();

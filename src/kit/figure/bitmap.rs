@@ -1,6 +1,8 @@
 //! A drawing as pixels, on white, and the PNG file of them.
 
-use super::drawing::{Anchor, Drawing, Ends, Fill, HATCH_PERIOD, HATCH_WIDTH, Item, Pattern, Pixels, Rect, Stroke, Text, Turn};
+use super::drawing::{
+    Anchor, Drawing, Ends, Fill, HATCH_PERIOD, HATCH_WIDTH, Item, Pattern, Pixels, Rect, Stroke, Text, Turn,
+};
 use super::ink::{Ink, Srgb};
 use super::raster::{Coverage, coverage};
 use super::{font, stroke};
@@ -9,7 +11,8 @@ use glam::{DVec2, dvec2};
 /// Draws on white.
 pub fn render(drawing: &Drawing) -> Pixels {
     let (width, height) = (drawing.width.round() as usize, drawing.height.round() as usize);
-    let mut canvas = Canvas { pixels: Pixels::new(width, height, vec![255; 3 * width * height]), clip: drawing.bounds() };
+    let mut canvas =
+        Canvas { pixels: Pixels::new(width, height, vec![255; 3 * width * height]), clip: drawing.bounds() };
     canvas.items(&drawing.items);
     canvas.pixels
 }
@@ -22,6 +25,8 @@ pub fn png(pixels: &Pixels, texts: &[(&str, &str)]) -> Result<Vec<u8>, png::Enco
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     encoder.set_compression(png::Compression::Balanced);
+    // Line art packs best unfiltered; noisy renders do, too.
+    encoder.set_filter(png::Filter::NoFilter);
     for (keyword, text) in texts.iter().filter(|(_, text)| !text.is_empty()) {
         // tEXt holds Latin-1 only; anything else goes into iTXt.
         if text.chars().all(|c| (c as u32) < 256) {

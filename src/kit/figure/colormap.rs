@@ -41,7 +41,11 @@ pub fn diverging(t: f64) -> Srgb {
     };
     let size = t.abs();
     let mix = |i: usize| {
-        if size < 0.5 { 1.0 + (middle[i] - 1.0) * size * 2.0 } else { middle[i] + (end[i] - middle[i]) * (size * 2.0 - 1.0) }
+        if size < 0.5 {
+            1.0 + (middle[i] - 1.0) * size * 2.0
+        } else {
+            middle[i] + (end[i] - middle[i]) * (size * 2.0 - 1.0)
+        }
     };
     [level(mix(0)), level(mix(1)), level(mix(2))]
 }

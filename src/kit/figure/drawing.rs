@@ -358,5 +358,8 @@ pub fn head_size(width: f64) -> (f64, f64) {
 /// Points of a circular arc from angle `a` to `b` [rad, counterclockwise on paper], about 3 px apart.
 pub fn arc(center: DVec2, radius: f64, a: f64, b: f64) -> Vec<DVec2> {
     let n = (((b - a).abs() * radius / 3.0).ceil() as usize).clamp(8, 720);
-    (0..=n).map(|i| a + (b - a) * i as f64 / n as f64).map(|t| center + radius * dvec2(t.cos(), -t.sin())).collect()
+    (0..=n)
+        .map(|i| a + (b - a) * i as f64 / n as f64)
+        .map(|t| center + radius * dvec2(t.cos(), -t.sin()))
+        .collect()
 }

@@ -111,8 +111,7 @@ pub fn short(x: f64) -> String {
     if (1.0e-3..1.0e5).contains(&size) {
         let decimals = (2 - size.log10().floor() as i32).clamp(0, 5) as usize;
         let text = format!("{size:.decimals$}");
-        let text =
-            if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+        let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
         return format!("{sign}{text}");
     }
     // The formatter rounds and carries: 9.96e-5 is "1.0e-4".

@@ -149,7 +149,8 @@ impl FailureMap {
             return;
         }
         let size = dvec2(area.width() / self.columns as f64, area.height() / self.rows as f64);
-        let corner = |i: usize, j: usize| dvec2(area.min.x + i as f64 * size.x, area.max.y - j as f64 * size.y);
+        let corner =
+            |i: usize, j: usize| dvec2(area.min.x + i as f64 * size.x, area.max.y - j as f64 * size.y);
         let at = |i: usize, j: usize| self.failed[j * self.columns + i];
         let mut runs = Vec::new();
         for j in 0..self.rows {
@@ -196,11 +197,14 @@ impl FailureMap {
     /// "misses: 12 %", as far inside the region as it goes.
     fn share_label(&self, share: f64, area: &Rect, size: DVec2, drawing: &mut Drawing) {
         let text = format!("{}: {}", self.failing, percent(share));
-        let text = Text::new(DVec2::ZERO, text, SIZE * 1.1, Ink::Fixed([20, 22, 28])).face(Face::Bold).anchor(Anchor::Middle);
+        let text = Text::new(DVec2::ZERO, text, SIZE * 1.1, Ink::Fixed([20, 22, 28]))
+            .face(Face::Bold)
+            .anchor(Anchor::Middle);
         let half = dvec2(text.bounds().width() / 2.0 + 12.0, SIZE * 0.95);
         let mut placer = Placer::new(*area);
         for (k, failed) in self.failed.iter().enumerate() {
-            let low = dvec2(area.min.x, area.max.y) + dvec2((k % self.columns) as f64, -((k / self.columns) as f64) - 1.0) * size;
+            let low = dvec2(area.min.x, area.max.y)
+                + dvec2((k % self.columns) as f64, -((k / self.columns) as f64) - 1.0) * size;
             if !failed {
                 placer.keep_clear(Rect { min: low, max: low + size });
             }
@@ -210,8 +214,14 @@ impl FailureMap {
                 let share = dvec2((k % 20) as f64 + 0.5, (k / 20) as f64 + 0.5) / 20.0;
                 let center = area.min + half + share * (area.max - area.min - half * 2.0);
                 // Where the region is wide, the middle of it: its surroundings should be free as well.
-                let reach = Rect { min: center - half * 1.8, max: center + half * 1.8 };
-                Candidate { place: Rect { min: center - half, max: center + half }, penalty: 0.3 * placer.cost(&reach).min(1.0e5) }
+                let reach = Rect {
+                    min: (center - half * 1.8).max(area.min),
+                    max: (center + half * 1.8).min(area.max),
+                };
+                Candidate {
+                    place: Rect { min: center - half, max: center + half },
+                    penalty: 0.3 * placer.cost(&reach).min(1.0e5),
+                }
             })
             .collect();
         if let Some((best, _)) = placer.best(&candidates) {
@@ -276,7 +286,12 @@ pub struct Bar {
 }
 
 impl Bar {
-    pub fn over(values: impl Iterator<Item = f64> + Clone, shades: Shades, range: Option<(f64, f64)>, place: Rect) -> Bar {
+    pub fn over(
+        values: impl Iterator<Item = f64> + Clone,
+        shades: Shades,
+        range: Option<(f64, f64)>,
+        place: Rect,
+    ) -> Bar {
         let has_zero = values.clone().any(|v| v == 0.0);
         let axis = match shades {
             Shades::Decades => Axis::log(""),
@@ -319,7 +334,11 @@ pub fn draw_bar(bar: &Bar, name: &str, shades: Shades, drawing: &mut Drawing) {
     drawing.image(bar.place, Pixels::new(1, STEPS, (0..STEPS).flat_map(|k| color(at(k))).collect()));
     for (value, label) in bar.ruler.ticks() {
         let Some(y) = bar.ruler.inside(value) else { continue };
-        drawing.line(dvec2(bar.place.max.x, y), dvec2(bar.place.max.x + 5.0, y), Stroke::new(Ink::Outline, 1.4));
+        drawing.line(
+            dvec2(bar.place.max.x, y),
+            dvec2(bar.place.max.x + 5.0, y),
+            Stroke::new(Ink::Outline, 1.4),
+        );
         let at = dvec2(bar.place.max.x + 10.0, y + SIZE * 0.35);
         drawing.text(Text::new(at, label, SIZE, Ink::Muted));
     }

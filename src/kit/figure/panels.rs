@@ -82,7 +82,8 @@ impl Panels {
 
     pub fn draw(&self) -> Drawing {
         let mut drawing = Drawing::new(WIDTH, HEIGHT);
-        let top = self.heading.draw(&mut drawing) - if self.heading == Heading::default() { 24.0 } else { 6.0 };
+        let top =
+            self.heading.draw(&mut drawing) - if self.heading == Heading::default() { 24.0 } else { 6.0 };
         let bar = if self.panels.iter().any(|p| matches!(p, Panel::Error(_))) { 118.0 } else { 0.0 };
         let room = dvec2(WIDTH - 2.0 * MARGIN - bar, HEIGHT - top - MARGIN * 0.6);
         let aspect = self.panels.iter().find_map(aspect_of).unwrap_or(1.5);
@@ -130,7 +131,8 @@ impl Panels {
                 label.clone()
             }
             Panel::Error(error) => {
-                let strip = Rect::new(place.max.x + 14.0, place.min.y + 28.0, place.max.x + 32.0, place.max.y);
+                let strip =
+                    Rect::new(place.max.x + 14.0, place.min.y + 28.0, place.max.x + 32.0, place.max.y);
                 let bar = Bar::over(error.values.iter().copied(), error.shades, error.range, strip);
                 let pixels = Pixels::new(
                     error.width,
@@ -163,9 +165,12 @@ impl Panels {
             min: place.min + dvec2(x as f64, y as f64) * scale,
             max: place.min + dvec2((x + part.width) as f64, (y + part.height) as f64) * scale,
         };
-        let factor = (0.42 * place.width() / part.width as f64).min(0.42 * place.height() / part.height as f64);
+        let factor =
+            (0.42 * place.width() / part.width as f64).min(0.42 * place.height() / part.height as f64);
         let size = dvec2(part.width as f64, part.height as f64) * factor.max(1.0);
-        let corner = |low: f64, high: f64, at: f64, size: f64| if at > (low + high) / 2.0 { low + 6.0 } else { high - 6.0 - size };
+        let corner = |low: f64, high: f64, at: f64, size: f64| {
+            if at > (low + high) / 2.0 { low + 6.0 } else { high - 6.0 - size }
+        };
         let min = dvec2(
             corner(place.min.x, place.max.x, from.center().x, size.x),
             corner(place.min.y, place.max.y, from.center().y, size.y),

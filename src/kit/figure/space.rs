@@ -93,7 +93,15 @@ impl Diagram {
     }
 
     /// A parallelogram from `corner` along `u` and `v`, ruled into `columns × rows` pixels.
-    pub fn pixel_grid(mut self, space: &Space, corner: DVec3, u: DVec3, v: DVec3, columns: u32, rows: u32) -> Self {
+    pub fn pixel_grid(
+        mut self,
+        space: &Space,
+        corner: DVec3,
+        u: DVec3,
+        v: DVec3,
+        columns: u32,
+        rows: u32,
+    ) -> Self {
         self = self.polygon(&[corner, corner + u, corner + u + v, corner + v].map(|p| space.at(p)));
         for i in 1..columns {
             let p = corner + u * (f64::from(i) / f64::from(columns));
@@ -125,7 +133,8 @@ impl Diagram {
         // Start where the visible half begins, so that each half is one chain.
         let start = (0..steps).find(|&k| seen(k) && !seen((k + steps - 1) % steps)).unwrap_or(0);
         let chain = |front: bool| -> Vec<DVec2> {
-            let mut ks: Vec<usize> = (0..=steps).map(|i| start + i).filter(|k| seen(k % steps) == front).collect();
+            let mut ks: Vec<usize> =
+                (0..steps).map(|i| start + i).filter(|k| seen(k % steps) == front).collect();
             ks.extend(ks.last().map(|k| k + 1).filter(|_| ks.len() < steps));
             ks.iter().map(|&k| space.at(center + on(TAU * k as f64 / 96.0))).collect()
         };

@@ -1,6 +1,9 @@
 //! A drawing as SVG: text stays text, colours follow the reader's light or dark ground.
 
-use super::drawing::{Anchor, Chain, Drawing, Ends, Face, Fill, HATCH_PERIOD, HATCH_WIDTH, Item, Pattern, Pixels, Rect, Stroke, Text, Turn};
+use super::drawing::{
+    Anchor, Chain, Drawing, Ends, Face, Fill, HATCH_PERIOD, HATCH_WIDTH, Item, Pattern, Pixels, Rect, Stroke,
+    Text, Turn,
+};
 use super::font::{self, Level};
 use super::ink::{Ink, ROLES, Srgb};
 use std::fmt::Write;
@@ -19,7 +22,7 @@ pub fn render(drawing: &Drawing, words: &Words) -> String {
     let (w, h) = (number(drawing.width), number(drawing.height));
     let _ = writeln!(
         svg.text,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" role=\"img\">"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" role=\"img\" xml:space=\"preserve\">"
     );
     let _ = writeln!(svg.text, "<title>{}</title>", escaped(words.title));
     let _ = writeln!(svg.text, "<desc>{}</desc>", escaped(words.description));
@@ -177,7 +180,8 @@ impl Svg {
         let bytes = super::bitmap::png(pixels, &[]).unwrap_or_default();
         let (x, y) = (number(place.min.x), number(place.min.y));
         let (w, h) = (number(place.width()), number(place.height()));
-        let grain = if pixels.width as f64 <= place.width() { " style=\"image-rendering:pixelated\"" } else { "" };
+        let grain =
+            if pixels.width as f64 <= place.width() { " style=\"image-rendering:pixelated\"" } else { "" };
         let _ = writeln!(
             self.text,
             "<image x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" preserveAspectRatio=\"none\"{grain} href=\"data:image/png;base64,{}\"/>",
@@ -199,7 +203,12 @@ fn spans(text: &Text) -> String {
             continue;
         }
         let size = number(text.size * scale);
-        let _ = write!(out, "<tspan dy=\"{}\" font-size=\"{size}\">{}</tspan>", number(shift), escaped(&run.text));
+        let _ = write!(
+            out,
+            "<tspan dy=\"{}\" font-size=\"{size}\">{}</tspan>",
+            number(shift),
+            escaped(&run.text)
+        );
     }
     out
 }

@@ -19,7 +19,13 @@ pub struct Table {
 impl Table {
     pub fn new(columns: &[&str]) -> Self {
         let columns = columns.iter().map(|c| c.to_string()).collect();
-        Table { heading: Heading::default(), columns, rows: Vec::new(), marked: None, repeats: Repeats::Always }
+        Table {
+            heading: Heading::default(),
+            columns,
+            rows: Vec::new(),
+            marked: None,
+            repeats: Repeats::Always,
+        }
     }
     pub fn title(mut self, title: &str) -> Self {
         self.heading.title = title.to_string();
@@ -51,8 +57,9 @@ impl Table {
             let cells: Vec<String> = cells.iter().map(|c| font::plain(c).replace('|', "\\|")).collect();
             format!("| {} |\n", cells.join(" | "))
         };
-        let rule: Vec<String> =
-            (0..self.columns.len()).map(|i| if self.is_numeric(i) { "---:" } else { "---" }.to_string()).collect();
+        let rule: Vec<String> = (0..self.columns.len())
+            .map(|i| if self.is_numeric(i) { "---:" } else { "---" }.to_string())
+            .collect();
         let head = line(&self.columns) + &format!("| {} |\n", rule.join(" | "));
         self.rows.iter().fold(head, |text, row| text + &line(row))
     }
@@ -61,7 +68,11 @@ impl Table {
     pub fn csv(&self) -> String {
         let quoted = |cell: &String| {
             let cell = font::plain(cell);
-            if cell.contains([',', '"', '\n', '\r']) { format!("\"{}\"", cell.replace('"', "\"\"")) } else { cell }
+            if cell.contains([',', '"', '\n', '\r']) {
+                format!("\"{}\"", cell.replace('"', "\"\""))
+            } else {
+                cell
+            }
         };
         let line = |cells: &[String]| cells.iter().map(quoted).collect::<Vec<_>>().join(",") + "\n";
         self.rows.iter().fold(line(&self.columns), |text, row| text + &line(row))
@@ -72,7 +83,8 @@ impl Table {
         let cells = self.rows.iter().map(|r| r[column].trim()).filter(|c| !c.is_empty() && *c != "–");
         let mut any = false;
         let all = cells.inspect(|_| any = true).all(|c| {
-            c.trim_start_matches(['−', '-', '+', '±', '<', '>', '≤', '≥', '≈', ' ']).starts_with(|d: char| d.is_ascii_digit() || d == '∞')
+            c.trim_start_matches(['−', '-', '+', '±', '<', '>', '≤', '≥', '≈', ' '])
+                .starts_with(|d: char| d.is_ascii_digit() || d == '∞')
         });
         all && any
     }
@@ -85,7 +97,9 @@ impl Table {
         drawing.height = (top + line * (self.rows.len() as f64 + 1.3) + MARGIN).ceil().max(200.0);
         let total: f64 = widths.iter().sum::<f64>() + PAD * 2.0 * widths.len() as f64;
         let right = MARGIN + total;
-        let rule = |d: &mut Drawing, y: f64, w: f64| d.line(dvec2(MARGIN, y), dvec2(right, y), Stroke::new(Ink::Outline, w));
+        let rule = |d: &mut Drawing, y: f64, w: f64| {
+            d.line(dvec2(MARGIN, y), dvec2(right, y), Stroke::new(Ink::Outline, w))
+        };
         rule(&mut drawing, top, 1.8);
         if let Some(i) = self.marked {
             let y = top + line * (i as f64 + 1.15);
@@ -96,7 +110,8 @@ impl Table {
             let mut x = MARGIN;
             for (i, (cell, width)) in cells.iter().zip(&widths).enumerate() {
                 let numeric = self.is_numeric(i);
-                let (at, anchor) = if numeric { (x + PAD + width, Anchor::End) } else { (x + PAD, Anchor::Start) };
+                let (at, anchor) =
+                    if numeric { (x + PAD + width, Anchor::End) } else { (x + PAD, Anchor::Start) };
                 drawing.text(Text::new(dvec2(at, y), cell, size, Ink::Text).face(face).anchor(anchor));
                 x += width + 2.0 * PAD;
             }

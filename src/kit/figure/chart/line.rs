@@ -126,7 +126,8 @@ impl Line {
             })
         });
         let failed = |p: &&Point| p.failures.total() > 0 && to != Quantity::FailureShare;
-        let failures = series.points.iter().filter(failed).filter_map(|p| Some((take(p, from)?.mid, p.failures)));
+        let failures =
+            series.points.iter().filter(failed).filter_map(|p| Some((take(p, from)?.mid, p.failures)));
         Line {
             name: named(method),
             look: Look::of(method, free),

@@ -82,7 +82,8 @@ pub struct Chart {
 impl Chart {
     /// Error against measured time: the headline chart.
     pub fn speed_accuracy(error: &str) -> Self {
-        let mut chart = Chart::with(Axis::time("time per answer"), Axis::log(error), Quantity::Time, Quantity::Error);
+        let mut chart =
+            Chart::with(Axis::time("time per answer"), Axis::log(error), Quantity::Time, Quantity::Error);
         chart.better = Some("↙ faster and more accurate".to_string());
         chart
     }

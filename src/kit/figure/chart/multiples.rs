@@ -20,7 +20,8 @@ pub fn draw(chart: &Chart, drawing: &mut Drawing, top: f64) {
     let below = dvec2(whole.max.x, whole.max.y);
     drawing.text(Text::new(below, &chart.x.title, SIZE, Ink::Text).anchor(Anchor::End));
     for i in 0..count {
-        let corner = dvec2(whole.min.x, top + titles) + cell * dvec2((i % columns) as f64, (i / columns) as f64);
+        let corner =
+            dvec2(whole.min.x, top + titles) + cell * dvec2((i % columns) as f64, (i / columns) as f64);
         panel(chart, &scales, i, Rect { min: corner, max: corner + cell }, drawing);
     }
 }
@@ -51,8 +52,11 @@ fn panel(chart: &Chart, scales: &Plot, index: usize, cell: Rect, drawing: &mut D
     drawing.chain(&points, line.look.stroke());
     points.iter().for_each(|p| line.look.draw_mark(drawing, *p));
     let failures = line.total_failures();
-    let failed =
-        if failures.total() > 0 { format!(" · {} failed", percent(failures.share())) } else { String::new() };
+    let failed = if failures.total() > 0 {
+        format!(" · {} failed", percent(failures.share()))
+    } else {
+        String::new()
+    };
     let name = format!("{}{failed}", line.name);
     let at = dvec2(area.min.x, cell.min.y + 20.0);
     let width = crate::kit::figure::font::width(&name, Face::Bold, SIZE * 0.9);

@@ -128,7 +128,13 @@ fn among(plot: &Plot, drawing: &mut Drawing, placer: &mut Placer, line: &Line) {
     let mut anchors = Vec::new();
     for (i, p) in points.iter().enumerate() {
         // Ends are read first; the middle of a line is the next best place.
-        let from_end = if i == last { 0.0 } else if i == 0 { 12.0 } else { 20.0 };
+        let from_end = if i == last {
+            0.0
+        } else if i == 0 {
+            12.0
+        } else {
+            20.0
+        };
         for (near, distance) in [(0.0, 13.0), (14.0, 26.0), (45.0, 48.0), (90.0, 80.0), (150.0, 120.0)] {
             for step in 0..16 {
                 let way = DVec2::from_angle(std::f64::consts::TAU * f64::from(step) / 16.0);
@@ -148,7 +154,11 @@ fn among(plot: &Plot, drawing: &mut Drawing, placer: &mut Placer, line: &Line) {
     let near = anchor.clamp(place.min, place.max);
     if anchor.distance(near) > 16.0 {
         let ahead = (near - anchor).normalize_or_zero();
-        drawing.line(anchor + ahead * 8.0, near - ahead * 2.0, Stroke::new(Ink::Line(line.look.hue), 1.1).faint(0.75));
+        drawing.line(
+            anchor + ahead * 8.0,
+            near - ahead * 2.0,
+            Stroke::new(Ink::Line(line.look.hue), 1.1).faint(0.75),
+        );
     }
     let at = dvec2(place.min.x + 2.0, place.center().y + SIZE * 0.35);
     drawing.text(Text::new(at, &line.name, SIZE, Ink::Label(line.look.hue)).halo(3.5));
@@ -173,7 +183,10 @@ fn guide_names(plot: &Plot, drawing: &mut Drawing, placer: &mut Placer) {
                 let center = p + across * side * off;
                 let place = Rect { min: center - half, max: center + half };
                 let beyond = if plot.area.covers(&place) { 0.0 } else { 400.0 };
-                candidates.push(Candidate { place, penalty: beyond + share * 20.0 + if side < 0.0 { 2.0 } else { 0.0 } });
+                candidates.push(Candidate {
+                    place,
+                    penalty: beyond + share * 20.0 + if side < 0.0 { 2.0 } else { 0.0 },
+                });
             }
         }
         if let Some((best, _)) = placer.place(&candidates) {
@@ -194,7 +207,8 @@ fn front_name(plot: &Plot, drawing: &mut Drawing, placer: &mut Placer, front: &[
             let p = pair[0].lerp(pair[1], f64::from(k) / 8.0);
             for way in [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y] {
                 let center = p + way * (half + 5.0);
-                candidates.push(Candidate { place: Rect { min: center - half, max: center + half }, penalty: 0.0 });
+                candidates
+                    .push(Candidate { place: Rect { min: center - half, max: center + half }, penalty: 0.0 });
             }
         }
     }

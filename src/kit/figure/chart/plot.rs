@@ -43,7 +43,8 @@ impl<'a> Plot<'a> {
 
     /// Lays out inside `outer`, with `margin` pixels on the right for the labels of lines.
     pub fn within(chart: &'a Chart, outer: Rect, margin: f64) -> Self {
-        let any_zero = chart.y.scale == Scale::Log && chart.lines.iter().any(|l| l.points.iter().any(is_exact));
+        let any_zero =
+            chart.y.scale == Scale::Log && chart.lines.iter().any(|l| l.points.iter().any(is_exact));
         let rows = chart.lines.iter().filter(|l| !l.failures.is_empty()).count() as f64;
         let failures = if rows > 0.0 { rows * strips::ROW + 12.0 } else { 0.0 };
         let base = outer.max.y - 2.6 * SIZE;
@@ -57,7 +58,8 @@ impl<'a> Plot<'a> {
         });
         let y = chart.y.ruler(y_values().chain(raw_y).chain(levels), bottom, area_top);
         let widest = y.ticks().iter().map(|t| font::width(&t.1, Face::Regular, SIZE)).fold(0.0, f64::max);
-        let strip_names = if any_zero || rows > 0.0 { font::width("exact", Face::Regular, SIZE) } else { 0.0 };
+        let strip_names =
+            if any_zero || rows > 0.0 { font::width("exact", Face::Regular, SIZE) } else { 0.0 };
         let left = outer.min.x + widest.max(strip_names) + 14.0;
         let x_values = || chart.lines.iter().flat_map(|l| l.points.iter().map(|p| p.0)).flat_map(ends);
         let raw_x = chart.lines.iter().flat_map(|l| l.raw.iter().map(|r| r.0));
@@ -121,7 +123,11 @@ impl<'a> Plot<'a> {
             let Some(y) = self.y.inside(value) else { continue };
             drawing.line(dvec2(self.area.min.x - 3.5, y), dvec2(self.area.min.x, y), axis());
         }
-        drawing.line(dvec2(self.area.min.x, self.area.min.y), dvec2(self.area.min.x, self.area.max.y), axis());
+        drawing.line(
+            dvec2(self.area.min.x, self.area.min.y),
+            dvec2(self.area.min.x, self.area.max.y),
+            axis(),
+        );
         if let Some(y) = self.exact {
             strips::exact(self, drawing, y, ticks);
         }
@@ -192,8 +198,10 @@ impl<'a> Plot<'a> {
     fn slope_points(&self, slope: f64, through: Option<(f64, f64)>) -> Vec<DVec2> {
         let axis = |scale: Scale, v: f64| if scale == Scale::Log { v.log10() } else { v };
         // Pixels per unit of each axis (per decade on a logarithm).
-        let px = (self.area.max.x - self.area.min.x) / (axis(self.x.scale, self.x.high) - axis(self.x.scale, self.x.low));
-        let py = (self.area.max.y - self.area.min.y) / (axis(self.y.scale, self.y.high) - axis(self.y.scale, self.y.low));
+        let px = (self.area.max.x - self.area.min.x)
+            / (axis(self.x.scale, self.x.high) - axis(self.x.scale, self.x.low));
+        let py = (self.area.max.y - self.area.min.y)
+            / (axis(self.y.scale, self.y.high) - axis(self.y.scale, self.y.low));
         let fall = -slope * py / px;
         let anchor = match through {
             Some((x, y)) => self.x.at(x).zip(self.y.at(y)).map(|(x, y)| dvec2(x, y)),
@@ -220,7 +228,8 @@ impl<'a> Plot<'a> {
             let mut edges: (Vec<DVec2>, Vec<DVec2>) = (Vec::new(), Vec::new());
             for (x, y) in &line.points {
                 let Some(px) = self.x.inside(x.mid) else { continue };
-                if let Some((low, high)) = self.y.at(y.low.max(self.y.low.min(y.high))).zip(self.y.at(y.high)) {
+                if let Some((low, high)) = self.y.at(y.low.max(self.y.low.min(y.high))).zip(self.y.at(y.high))
+                {
                     edges.0.push(dvec2(px, low));
                     edges.1.push(dvec2(px, high));
                 }
@@ -277,7 +286,12 @@ impl<'a> Plot<'a> {
             Shape::Dots => {
                 let (radius, opacity) = if points.len() > 400 { (2.0, 0.5) } else { (3.2, 0.8) };
                 for at in points {
-                    drawing.circle(at, radius, Some(Fill::new(Ink::Line(line.look.hue)).faint(opacity)), None);
+                    drawing.circle(
+                        at,
+                        radius,
+                        Some(Fill::new(Ink::Line(line.look.hue)).faint(opacity)),
+                        None,
+                    );
                 }
             }
             // Marks closer than their width would be a rope; the line says enough.
@@ -312,7 +326,8 @@ impl<'a> Plot<'a> {
         if !is_trade || self.chart.lines.len() < 2 {
             return Vec::new();
         }
-        let corners: Vec<DVec2> = pareto(&all).into_iter().filter_map(|i| self.at(all[i].0, all[i].1)).collect();
+        let corners: Vec<DVec2> =
+            pareto(&all).into_iter().filter_map(|i| self.at(all[i].0, all[i].1)).collect();
         let (Some(first), Some(last)) = (corners.first(), corners.last()) else { return Vec::new() };
         let mut steps = vec![dvec2(first.x, self.area.min.y)];
         for p in &corners {

@@ -124,7 +124,9 @@ fn places(
             push(anchor.at, anchor.penalty, None);
             continue;
         }
-        for (step, near) in [(0.0, 0.0), (6.0, 4.0), (14.0, 12.0), (26.0, 26.0), (42.0, 60.0), (64.0, 120.0), (90.0, 200.0)] {
+        for (step, near) in
+            [(0.0, 0.0), (6.0, 4.0), (14.0, 12.0), (26.0, 26.0), (42.0, 60.0), (64.0, 120.0), (90.0, 200.0)]
+        {
             for k in 0..24 {
                 let way = DVec2::from_angle(TAU * f64::from(k) / 24.0);
                 let off = anchor.clear + step;
@@ -149,7 +151,13 @@ struct At {
 }
 
 fn anchors(mark: &Mark, letter: &Letter, view: &View, window: &Rect) -> Vec<At> {
-    let beside = |at: DVec2, way: Option<DVec2>, clear: f64, penalty: f64| At { at, way, clear, penalty, on_it: false };
+    let beside = |at: DVec2, way: Option<DVec2>, clear: f64, penalty: f64| At {
+        at,
+        way,
+        clear,
+        penalty,
+        on_it: false,
+    };
     let on = |at: DVec2, penalty: f64| At { at, way: None, clear: 0.0, penalty, on_it: true };
     match mark {
         Mark::Nothing { p } => vec![on(view.at(*p), 0.0)],
@@ -160,7 +168,10 @@ fn anchors(mark: &Mark, letter: &Letter, view: &View, window: &Rect) -> Vec<At> 
             let (start, turn) = marks::sweep(*from, *to);
             let middle = start + turn / 2.0;
             let way = dvec2(middle.cos(), -middle.sin());
-            let inside = on(view.at(*vertex) + way * radius * 0.62, if turn.abs() * radius < 70.0 { 1.0e6 } else { 6.0 });
+            let inside = on(
+                view.at(*vertex) + way * radius * 0.62,
+                if turn.abs() * radius < 70.0 { 1.0e6 } else { 6.0 },
+            );
             vec![beside(view.at(*vertex) + way * *radius, Some(way), 4.0, 0.0), inside]
         }
         Mark::RightAngle { vertex, .. } => vec![beside(view.at(*vertex), None, 20.0, 0.0)],
@@ -185,9 +196,10 @@ fn anchors(mark: &Mark, letter: &Letter, view: &View, window: &Rect) -> Vec<At> 
                 if k == 8 { on(middle, 0.0) } else { on(middle + way * reach * 0.55, 5.0) }
             });
             let step = chain.len().div_ceil(16).max(1);
-            let outside = chain.iter().step_by(step).map(|p| {
-                beside(*p, Some((*p - middle).normalize_or(DVec2::X)), 6.0, 30.0)
-            });
+            let outside = chain
+                .iter()
+                .step_by(step)
+                .map(|p| beside(*p, Some((*p - middle).normalize_or(DVec2::X)), 6.0, 30.0));
             within.chain(outside).collect()
         }
     }
@@ -217,7 +229,13 @@ fn along(chain: &[DVec2], place: Where) -> Vec<At> {
     let up = if across.y > 0.0 { -across } else { across };
     [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82]
         .iter()
-        .map(|&s| At { at: at(s), way: Some(up), clear: 5.0, penalty: 30.0 * (s - 0.5f64).abs(), on_it: false })
+        .map(|&s| At {
+            at: at(s),
+            way: Some(up),
+            clear: 5.0,
+            penalty: 30.0 * (s - 0.5f64).abs(),
+            on_it: false,
+        })
         .collect()
 }
 

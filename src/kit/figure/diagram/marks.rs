@@ -33,18 +33,56 @@ pub enum Head {
 /// One thing in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mark {
-    Area { points: Vec<DVec2>, area: Area },
+    Area {
+        points: Vec<DVec2>,
+        area: Area,
+    },
     /// Beyond the line through `p` with unit normal `n`, so many pixels deep.
-    Band { p: DVec2, n: DVec2, depth: f64 },
-    Curve { points: Vec<DVec2>, line: Line },
-    Ray { light: Light, a: DVec2, b: DVec2, head: Head },
-    Dot { p: DVec2, light: Option<Light> },
-    Lamp { p: DVec2 },
-    Eye { p: DVec2, towards: DVec2 },
-    Angle { vertex: DVec2, from: DVec2, to: DVec2, radius: f64 },
-    RightAngle { vertex: DVec2, from: DVec2, to: DVec2 },
-    Dimension { a: DVec2, b: DVec2, offset: f64 },
-    Nothing { p: DVec2 },
+    Band {
+        p: DVec2,
+        n: DVec2,
+        depth: f64,
+    },
+    Curve {
+        points: Vec<DVec2>,
+        line: Line,
+    },
+    Ray {
+        light: Light,
+        a: DVec2,
+        b: DVec2,
+        head: Head,
+    },
+    Dot {
+        p: DVec2,
+        light: Option<Light>,
+    },
+    Lamp {
+        p: DVec2,
+    },
+    Eye {
+        p: DVec2,
+        towards: DVec2,
+    },
+    Angle {
+        vertex: DVec2,
+        from: DVec2,
+        to: DVec2,
+        radius: f64,
+    },
+    RightAngle {
+        vertex: DVec2,
+        from: DVec2,
+        to: DVec2,
+    },
+    Dimension {
+        a: DVec2,
+        b: DVec2,
+        offset: f64,
+    },
+    Nothing {
+        p: DVec2,
+    },
 }
 
 /// The pen of a kind of light.
@@ -73,16 +111,16 @@ pub fn letter_ink(mark: &Mark) -> Ink {
     }
 }
 
-/// Draws all marks, surfaces first and points last; areas end at the window.
+/// Draws all marks, surfaces and curves in the order they were added, rays above them, points last.
 pub fn draw(marks: &[Mark], view: &View, window: &Rect, drawing: &mut Drawing) {
     let rank = |mark: &Mark| match mark {
-        Mark::Area { .. } | Mark::Band { .. } => 0,
-        Mark::Curve { .. } => 1,
-        Mark::Dimension { .. } | Mark::Angle { .. } | Mark::RightAngle { .. } => 2,
-        Mark::Ray { .. } => 3,
-        _ => 4,
+        // What stands behind is added first.
+        Mark::Area { .. } | Mark::Band { .. } | Mark::Curve { .. } => 0,
+        Mark::Dimension { .. } | Mark::Angle { .. } | Mark::RightAngle { .. } => 1,
+        Mark::Ray { .. } => 2,
+        _ => 3,
     };
-    for level in 0..=4 {
+    for level in 0..=3 {
         let level_marks = marks.iter().filter(|m| rank(m) == level);
         drawing.clipped(window.grown(3.0), |d| level_marks.for_each(|m| one(m, view, d)));
     }

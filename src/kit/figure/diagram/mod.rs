@@ -75,7 +75,8 @@ impl Diagram {
 
     /// A filled disk with its outline: a sphere in section.
     pub fn circle(self, center: DVec2, radius: f64) -> Self {
-        let points = (0..180).map(|i| center + radius * DVec2::from_angle(TAU * f64::from(i) / 180.0)).collect();
+        let points =
+            (0..180).map(|i| center + radius * DVec2::from_angle(TAU * f64::from(i) / 180.0)).collect();
         self.add(Mark::Area { points, area: Area::Solid })
     }
     /// A filled polygon with its outline.
@@ -104,7 +105,9 @@ impl Diagram {
     }
     /// An arc of an outline from angle `a` to `b` [rad].
     pub fn arc(self, center: DVec2, radius: f64, a: f64, b: f64) -> Self {
-        let points = (0..=96).map(|i| a + (b - a) * f64::from(i) / 96.0).map(|t| center + radius * DVec2::from_angle(t));
+        let points = (0..=96)
+            .map(|i| a + (b - a) * f64::from(i) / 96.0)
+            .map(|t| center + radius * DVec2::from_angle(t));
         let points: Vec<DVec2> = points.collect();
         self.curve(&points)
     }
@@ -193,7 +196,8 @@ impl Diagram {
         let (min, max) = self.window.unwrap_or_else(|| marks::extent(&self.marks));
         let size = max - min;
         let mut sketch = Drawing::new(WIDTH, HEIGHT);
-        let top = self.heading.draw(&mut sketch) - if self.heading == Heading::default() { 20.0 } else { 0.0 };
+        let top =
+            self.heading.draw(&mut sketch) - if self.heading == Heading::default() { 20.0 } else { 0.0 };
         let room = dvec2(WIDTH - 2.0 * MARGIN, HEIGHT - top - MARGIN);
         let scale = (room / size).min_element();
         let height = (top + size.y * scale + MARGIN).max(420.0).min(HEIGHT);
