@@ -1,8 +1,8 @@
 //! Laws of measuring: quartiles, roots of mean squares, slopes, fronts, tolerances, CSV.
 
 use lightbench::measure::{
-    Failures, Method, Point, Run, Series, Spread, Tally, Z, agrees, counts_csv, log_slope, pareto, promised,
-    quantised, rounding, statistical, sweep, time, time_each, times_csv, truncation,
+    Failures, Method, Point, Run, Series, Spread, Tally, Z, agrees, counts_csv, log_slope, log_spaced,
+    pareto, promised, quantised, rounding, statistical, sweep, time, time_each, times_csv, truncation,
 };
 use lightbench::num::{U, gamma};
 use proptest::prelude::*;
@@ -136,6 +136,16 @@ fn tolerances_are_what_they_say() {
     assert_eq!(statistical(2.0, 4), Z);
     assert!(agrees(1.0, 1.5, 0.5) && !agrees(1.0, 1.6, 0.5));
     assert!(agrees(f64::INFINITY, f64::INFINITY, 0.0) && !agrees(f64::NAN, f64::NAN, f64::INFINITY));
+}
+
+#[test]
+fn parameters_are_spaced_evenly_on_a_logarithm() {
+    let spaced = log_spaced(1.0e-3, 1.0e3, 7);
+    assert_eq!((spaced[0], spaced[6]), (1.0e-3, 1.0e3));
+    // A power of 10⁶ and a product: the power's exponent of at most ln 10⁶ = 14 carries its rounding.
+    assert!(spaced.windows(2).all(|w| agrees(w[1] / w[0], 10.0, rounding(40, 10.0))), "{spaced:?}");
+    assert_eq!(log_spaced(2.0, 8.0, 1), [2.0]);
+    assert!(log_spaced(2.0, 8.0, 0).is_empty());
 }
 
 #[test]
