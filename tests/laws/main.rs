@@ -4,10 +4,13 @@
 mod support;
 
 mod architecture;
+mod figure;
 mod film;
 mod film_files;
 mod frame;
+mod lessons;
 mod local;
+mod measure;
 mod sample;
 mod scene_file;
 mod statistics;
