@@ -1,5 +1,9 @@
 //! Numbers: rounding bounds, polynomial roots, sums.
 
+pub mod certified;
+pub mod double_double;
+pub mod expansion;
+
 /// Unit roundoff `u = 2⁻⁵³` of `f64`: the largest relative error of one rounding to nearest.
 pub const U: f64 = f64::EPSILON / 2.0;
 

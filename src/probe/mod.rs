@@ -3,6 +3,8 @@
 //! Students check exercises with it, and other programs check the library: a CSV with a header goes
 //! in, a CSV with the answers comes out, row by row, every number printed so that it reads back exactly.
 
+pub mod surface;
+
 /// A topic: one function of the library, or several methods for the same question.
 pub struct Topic {
     pub name: &'static str,

@@ -1,9 +1,125 @@
 //! Surfaces: where a ray meets them, and what is there. One file per surface.
 
+pub mod cone;
+pub mod cylinder;
+pub mod disc;
+pub mod plane;
+pub mod polygon;
+pub mod quadric;
+pub mod triangle;
+
 use crate::bounds::Aabb;
+use crate::num::certified::power_of_two_below;
 use crate::ray::{Crossing, Hit, Ray, Span};
 use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
 use std::fmt::Debug;
+
+/// Why a surface cannot be made from these numbers.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ShapeError {
+    #[error("{what}: expected a finite number, found {found}")]
+    NotFinite { what: &'static str, found: f64 },
+    #[error("{what}: expected a length above 0, found {found}")]
+    NotPositive { what: &'static str, found: f64 },
+    #[error("{what}: expected a length of at least 0, found {found}")]
+    Negative { what: &'static str, found: f64 },
+    #[error("{what}: expected a vector with a direction, found one of length 0")]
+    NoDirection { what: &'static str },
+    #[error("{what}: expected an area above 0, found vertices on one line")]
+    NoArea { what: &'static str },
+    #[error("{what}: expected at least one coefficient other than 0 beside the constant, found none")]
+    NoEquation { what: &'static str },
+    #[error("polygon: expected at least 3 vertices, found {found}")]
+    TooFewVertices { found: usize },
+    #[error("polygon: expected vertices within {allowed} of one plane, found one at {found}")]
+    NotFlat { allowed: f64, found: f64 },
+}
+
+impl ShapeError {
+    /// `v`, if its coordinates are finite.
+    pub(crate) fn finite(what: &'static str, v: DVec3) -> Result<DVec3, ShapeError> {
+        match v.to_array().into_iter().find(|x| !x.is_finite()) {
+            Some(found) => Err(ShapeError::NotFinite { what, found }),
+            None => Ok(v),
+        }
+    }
+
+    /// `x`, if it is finite and above 0.
+    pub(crate) fn positive(what: &'static str, x: f64) -> Result<f64, ShapeError> {
+        if !x.is_finite() {
+            Err(ShapeError::NotFinite { what, found: x })
+        } else if x <= 0.0 {
+            Err(ShapeError::NotPositive { what, found: x })
+        } else {
+            Ok(x)
+        }
+    }
+
+    /// The unit vector along `v`, if `v` is finite and not zero.
+    pub(crate) fn direction(what: &'static str, v: DVec3) -> Result<DVec3, ShapeError> {
+        unit(Self::finite(what, v)?).ok_or(ShapeError::NoDirection { what })
+    }
+}
+
+/// From which sides a flat surface is met.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Sides {
+    #[default]
+    Both,
+    /// Only where the ray runs against the normal: `testcull` of [A ill. 56].
+    Front,
+}
+
+impl Sides {
+    /// Is a surface with this normal met by a ray in this direction?
+    #[inline]
+    pub(crate) fn admit(self, direction: DVec3, normal: DVec3) -> bool {
+        self == Sides::Both || direction.dot(normal) < 0.0
+    }
+}
+
+/// The unit vector along `v`, however long or short; `None` for the zero vector.
+pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
+    let scale = power_of_two_below(v.abs().max_element());
+    let scaled = v / scale;
+    let length = scaled.length();
+    (length > 0.0).then(|| scaled / length)
+}
+
+/// Two unit vectors that make a right-handed basis with the unit vector `n`: `x × y = n`.
+///
+/// - Source: Duff et al., *Building an orthonormal basis, revisited*, JCGT 6(1) (2017).
+pub(crate) fn basis(n: DVec3) -> (DVec3, DVec3) {
+    let sign = 1.0_f64.copysign(n.z);
+    let a = -1.0 / (sign + n.z);
+    let b = n.x * n.y * a;
+    let x = DVec3::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x);
+    let y = DVec3::new(b, sign + n.y * n.y * a, -n.y);
+    (x, y)
+}
+
+/// The angle of `(x, y)` as a share of the full turn, in [0, 1); 0 at the pole.
+pub(crate) fn turn(x: f64, y: f64) -> f64 {
+    let share = y.atan2(x) / TAU;
+    // −10⁻³⁰ + 1 rounds to 1: the end of the turn is its beginning.
+    if share >= 0.0 { share } else { (share + 1.0) % 1.0 }
+}
+
+/// The unit vector along the part of `v` that is perpendicular to the unit vector `n`, else any perpendicular one.
+pub(crate) fn perpendicular_part(v: DVec3, n: DVec3) -> DVec3 {
+    unit(v - n * v.dot(n)).unwrap_or_else(|| basis(n).0)
+}
+
+/// The first of ascending crossings with `t_min < t < t_max`.
+#[inline]
+pub(crate) fn first_between(
+    crossings: impl IntoIterator<Item = Crossing>,
+    t_min: f64,
+    t_max: f64,
+) -> Option<Crossing> {
+    crossings.into_iter().find(|c| t_min < c.t && c.t < t_max)
+}
 
 /// A surface that rays meet.
 ///
