@@ -193,7 +193,8 @@ impl Real for Bounded {
     }
     #[inline]
     fn settled(self) -> Result<f64, Uncertain> {
-        if self.error <= 64.0 * U * self.value.abs() { Ok(self.value) } else { Err(Uncertain) }
+        let close = self.error <= 64.0 * U * self.value.abs();
+        if close && self.value.is_finite() { Ok(self.value) } else { Err(Uncertain) }
     }
 }
 

@@ -8,7 +8,8 @@ use crate::shape::triangle::{Facing, Meeting, ShearedRay, Triangle};
 use crate::shape::{Shape, ShapeError, Sides, cone, cylinder, disc, quadric, triangle};
 use glam::DVec3;
 
-const ROBUST: (&str, &str) = ("robust", "certified: in f64 where its rounding bound decides, else in 106 bits");
+const ROBUST: (&str, &str) =
+    ("robust", "certified: in f64 where its rounding bound decides, else in 106 bits");
 
 /// `ox oy oz dx dy dz` after the given columns, with `length` the unit of a length.
 macro_rules! with_ray {

@@ -68,6 +68,8 @@ struct Body<T> {
     r0: T,
     /// `κ`.
     slope: T,
+    /// Where the ray's closest approach is taken to: the apex, else the middle of the axis.
+    focus: DVec3,
 }
 
 /// One end of the stretch.
@@ -94,13 +96,17 @@ impl<T: Real> Body<T> {
         let axis = Vector::difference(p1, p0);
         let axis2 = axis.dot(axis);
         let slope = T::difference(radii[1], radii[0]) / axis2;
-        Body { p0, axis, axis2, r0: T::of(radii[0]), slope }
+        let focus = match radii {
+            [0.0, _] => p0,
+            [_, 0.0] => p1,
+            _ => p0 + (p1 - p0) * 0.5,
+        };
+        Body { p0, axis, axis2, r0: T::of(radii[0]), slope, focus }
     }
 
-    /// The line of `o + t d`; `t` is near its closest approach to the middle.
+    /// The line of `o + t d`, expanded near its closest approach to the focus.
     fn line(&self, o: DVec3, d: DVec3) -> Line<T> {
-        let middle = self.p0 + self.axis.value() * 0.5;
-        let t = (middle - o).dot(d) / d.dot(d);
+        let t = (self.focus - o).dot(d) / d.dot(d);
         let w = Vector::difference(o, self.p0) + Vector::along(d, t);
         let d = Vector::of(d);
         let (s0, s1) = (w.dot(self.axis), d.dot(self.axis));
@@ -135,6 +141,12 @@ impl<T: Real> Body<T> {
             (-1, Roots::Two(t0, t1)) => {
                 Some(if line.rho1.sign()? > 0 { (end(t1), None) } else { (None, end(t0)) })
             }
+            // Such a line leaves one nappe for the other, so that there are roots; next to the apex rounding may
+            // find none.
+            (-1, Roots::None) => {
+                let t = -(b / a);
+                Some(if line.rho1.sign()? > 0 { (end(t), None) } else { (None, end(t)) })
+            }
             (-1, Roots::One(t)) => Some(if line.rho1.sign()? > 0 { (end(t), None) } else { (None, end(t)) }),
             // As steep as the side.
             (0, Roots::One(t)) => Some(if b.sign()? > 0 { (None, end(t)) } else { (end(t), None) }),
@@ -143,12 +155,12 @@ impl<T: Real> Body<T> {
         })
     }
 
-    /// The stretch inside the body; its ends may coincide in a touch.
-    fn clip(&self, o: DVec3, d: DVec3) -> Result<Option<[Crossing; 2]>, Uncertain> {
+    /// The ends of the stretch inside the body: two, or one for a touch.
+    fn clip(&self, o: DVec3, d: DVec3) -> Result<ArrayVec<Crossing, 2>, Uncertain> {
         let line = self.line(o, d);
         // The side first: most lines that miss, miss it.
-        let Some((side_in, side_out)) = self.side(&line)? else { return Ok(None) };
-        let Some((slab_in, slab_out)) = self.slab(&line)? else { return Ok(None) };
+        let Some((side_in, side_out)) = self.side(&line)? else { return Ok(ArrayVec::new()) };
+        let Some((slab_in, slab_out)) = self.slab(&line)? else { return Ok(ArrayVec::new()) };
         let enter = match (side_in, slab_in) {
             (Some(a), Some(b)) => Some(if a.t.is_below(b.t)? { b } else { a }),
             (a, b) => a.or(b),
@@ -158,12 +170,10 @@ impl<T: Real> Body<T> {
             (a, b) => a.or(b),
         };
         // Both are there: without the planes the line is square to the axis, and the side closes it.
-        let (Some(enter), Some(leave)) = (enter, leave) else { return Ok(None) };
-        if leave.t.is_below(enter.t)? {
-            return Ok(None);
-        }
-        let crossing = |e: End<T>| Ok(Crossing::new((line.t + e.t).settled()?, e.face));
-        Ok(Some([crossing(enter)?, crossing(leave)?]))
+        let (Some(enter), Some(leave)) = (enter, leave) else { return Ok(ArrayVec::new()) };
+        let length = (leave.t - enter.t).sign()?;
+        let ends = [enter, leave].into_iter().take((length + 1) as usize);
+        ends.map(|e| Ok(Crossing::new((line.t + e.t).settled()?, e.face))).collect()
     }
 
     /// Crossings with the side alone.
@@ -249,10 +259,14 @@ impl Cone {
     ///
     /// - Accuracy: ends within `64 u |t|`.
     pub fn span(&self, ray: &Ray) -> Option<Span> {
+        let ends = self.ends_of(ray);
+        Some(Span { enter: *ends.first()?, leave: *ends.last()? })
+    }
+
+    fn ends_of(&self, ray: &Ray) -> ArrayVec<Crossing, 2> {
         let (o, d, stretch) = self.scaled(ray);
-        let ends = self.quick.clip(o, d).or_else(|Uncertain| self.slow.clip(o, d)).ok()??;
-        let [enter, leave] = ends.map(|c| Crossing { t: c.t * stretch, ..c });
-        (enter.t.is_finite() && leave.t.is_finite()).then_some(Span { enter, leave })
+        let found = self.quick.clip(o, d).or_else(|Uncertain| self.slow.clip(o, d)).unwrap_or_default();
+        stretched(found, stretch)
     }
 
     /// Origin and direction in the body's unit, and what `t` is then to be multiplied by.
@@ -264,16 +278,12 @@ impl Cone {
     /// All crossings on the line, ascending.
     fn all(&self, ray: &Ray) -> ArrayVec<Crossing, 2> {
         match self.ends {
-            Ends::Capped => match self.span(ray) {
-                Some(s) if s.enter.t == s.leave.t => ArrayVec::from_iter([s.enter]),
-                Some(s) => ArrayVec::from([s.enter, s.leave]),
-                None => ArrayVec::new(),
-            },
+            Ends::Capped => self.ends_of(ray),
             Ends::Open => {
                 let (o, d, stretch) = self.scaled(ray);
-                let found = self.quick.tube(o, d).or_else(|Uncertain| self.slow.tube(o, d)).unwrap_or_default();
-                let scaled = found.into_iter().map(|c| Crossing { t: c.t * stretch, ..c });
-                scaled.filter(|c| c.t.is_finite()).collect()
+                let found =
+                    self.quick.tube(o, d).or_else(|Uncertain| self.slow.tube(o, d)).unwrap_or_default();
+                stretched(found, stretch)
             }
         }
     }
@@ -287,6 +297,14 @@ impl Cone {
         let widest = self.radii[0].max(self.radii[1]);
         gamma(16) * (reach + widest) * (1.0 + widest / self.height) + 2.0 * U * point.abs().max_element()
     }
+}
+
+/// In the scene's lengths; nothing if that overflows.
+fn stretched(mut found: ArrayVec<Crossing, 2>, stretch: f64) -> ArrayVec<Crossing, 2> {
+    for c in &mut found {
+        c.t *= stretch;
+    }
+    if found.iter().all(|c| c.t.is_finite()) { found } else { ArrayVec::new() }
 }
 
 impl Shape for Cone {

@@ -45,7 +45,10 @@ impl Disc {
     /// Where the line of the ray crosses the disc, at any sign of `t`.
     pub fn meeting(&self, ray: &Ray) -> Option<f64> {
         let t = self.plane.meeting(ray)?;
-        within::<Bounded>(self, ray, t).or_else(|Uncertain| within::<DoubleDouble>(self, ray, t)).ok()?.then_some(t)
+        within::<Bounded>(self, ray, t)
+            .or_else(|Uncertain| within::<DoubleDouble>(self, ray, t))
+            .ok()?
+            .then_some(t)
     }
 }
 
@@ -86,7 +89,8 @@ impl Shape for Disc {
             hit.point_error += 4.0 * U * (self.radius + hit.point.abs().max_element());
         }
         let across = self.plane.tangent() * -hit.uv.y + self.plane.bitangent() * hit.uv.x;
-        hit.tangent = if distance > 0.0 { perpendicular_part(across, hit.ng) } else { self.plane.bitangent() };
+        hit.tangent =
+            if distance > 0.0 { perpendicular_part(across, hit.ng) } else { self.plane.bitangent() };
         hit.uv = DVec2::new(turn(hit.uv.x, hit.uv.y), (distance / self.radius).min(1.0));
         hit
     }

@@ -59,7 +59,7 @@ impl Plane {
         quotient::<Bounded>(self.point, self.across, ray)
             .or_else(|Uncertain| quotient::<DoubleDouble>(self.point, self.across, ray))
             .unwrap_or(None)
-            .filter(|t| t.is_finite())
+            .filter(|&t| ray.at(t).is_finite())
     }
 
     /// The hit at `t`, with coordinates in the plane: what flat surfaces share.
@@ -146,7 +146,9 @@ impl Solid for Plane {
         let end = |t| Crossing::new(t, 0);
         let (never, always) = (end(f64::NEG_INFINITY), end(f64::INFINITY));
         match self.with_sides(Sides::Both).meeting(ray) {
-            Some(t) if ray.direction.dot(self.across) < 0.0 => out.push(Span { enter: end(t), leave: always }),
+            Some(t) if ray.direction.dot(self.across) < 0.0 => {
+                out.push(Span { enter: end(t), leave: always })
+            }
             Some(t) => out.push(Span { enter: never, leave: end(t) }),
             None if self.contains(ray.origin) => out.push(Span { enter: never, leave: always }),
             None => {}

@@ -48,10 +48,11 @@ impl Polygon {
         let first = corners.iter().map(|&v| v - corners[0]).find(|e| *e != DVec3::ZERO);
         let tangent = perpendicular_part(first.unwrap_or(basis(normal).0), plane.normal());
         let mut polygon = Polygon { corners, plane, low: DVec2::ZERO, size: DVec2::ONE, tangent };
-        let (low, high) = polygon.corners.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), &v| {
-            let flat = polygon.flat(v);
-            (l.min(flat), h.max(flat))
-        });
+        let (low, high) =
+            polygon.corners.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), &v| {
+                let flat = polygon.flat(v);
+                (l.min(flat), h.max(flat))
+            });
         (polygon.low, polygon.size) = (low, high - low);
         Ok(polygon)
     }

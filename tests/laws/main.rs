@@ -1,1 +1,6 @@
+//! Properties that hold for every input.
 
+mod certified;
+mod flat;
+mod quadrics;
+mod shapes;

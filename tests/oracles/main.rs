@@ -1,1 +1,3 @@
+//! Closed forms and high-precision tables.
 
+mod surfaces;

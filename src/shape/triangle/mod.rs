@@ -14,7 +14,7 @@ pub use watertight::ShearedRay;
 
 use super::{Shape, ShapeError, Sides, perpendicular_part, unit};
 use crate::bounds::Aabb;
-use crate::num::certified::{Bounded, Real as _, Vector, power_of_two_below};
+use crate::num::certified::{Bounded, Vector, power_of_two_below};
 use crate::num::expansion::Expansion;
 use crate::num::gamma;
 use crate::ray::{Crossing, Hit, Ray};
@@ -110,8 +110,7 @@ impl Triangle {
 /// In `f64` if its error is small beside its length (else each coordinate is settled exactly).
 fn exact_normal(corners: [DVec3; 3]) -> Option<DVec3> {
     let largest = corners.iter().map(|v| v.abs().max_element()).fold(0.0, f64::max);
-    // Two steps, so that neither factor overflows; a quarter keeps the differences finite.
-    let [v0, v1, v2] = corners.map(|v| v / power_of_two_below(largest) / 4.0);
+    let [v0, v1, v2] = corners.map(|v| v / power_of_two_below(largest));
     let [e1, e2] = [v1, v2].map(|v| Vector::<Bounded>::difference(v, v0));
     let normal = e1.cross(e2);
     let length = normal.value().abs().max_element();

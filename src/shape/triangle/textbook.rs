@@ -52,7 +52,8 @@ pub fn as_printed(ray: &Ray, [v0, v1, v2]: [DVec3; 3], sides: Sides) -> Option<M
     let q = from.cross(e1);
     let b2 = ray.direction.dot(q) / det;
     let t = e2.dot(q) / det;
-    let outside = b1 < -PRINTED || b1 > 1.0 + PRINTED || b2 < -PRINTED || b1 + b2 > 1.0 + PRINTED;
+    let wide = -PRINTED..=1.0 + PRINTED;
+    let outside = !wide.contains(&b1) || b2 < -PRINTED || b1 + b2 > 1.0 + PRINTED;
     (!outside && t >= PRINTED).then(|| meeting(t, b1, b2, det))
 }
 

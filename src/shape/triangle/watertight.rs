@@ -66,8 +66,9 @@ impl ShearedRay {
     #[inline]
     pub(crate) fn see(&self, v: DVec3) -> Seen {
         let from = v - self.origin;
-        let [i, j, last] = self.axes;
-        let (a, b, depth) = (from[i], from[j], from[last]);
+        // A fourth place and a mask: the compiler sees that no index is out of range.
+        let from = [from.x, from.y, from.z, 0.0];
+        let [a, b, depth] = self.axes.map(|axis| from[axis & 3]);
         let size = a.abs().max(b.abs()) + depth.abs();
         Seen { x: a - self.shear[0] * depth, y: b - self.shear[1] * depth, depth, size }
     }
@@ -99,7 +100,8 @@ impl ShearedRay {
             return self.meet_carefully(corners);
         }
         let det = edges[0] + edges[1] + edges[2];
-        let weights = edges.map(|e| e / det);
+        let inverse = 1.0 / det;
+        let weights = edges.map(|e| e * inverse);
         let depths = [a.depth, b.depth, c.depth];
         let depth = weights[0] * depths[0] + weights[1] * depths[1] + weights[2] * depths[2];
         // An error in a weight counts by how far its corner's depth is from the answer.
@@ -130,7 +132,8 @@ impl ShearedRay {
 
     /// Lengths counted in a power of two, so that the corners are about 1 away from the origin.
     fn rescaled(&self, corners: [DVec3; 3]) -> Option<(Self, [DVec3; 3], f64)> {
-        let far = corners.iter().map(|v| (*v / 2.0 - self.origin / 2.0).abs().max_element()).fold(0.0, f64::max);
+        let far =
+            corners.iter().map(|v| (*v / 2.0 - self.origin / 2.0).abs().max_element()).fold(0.0, f64::max);
         let unit = power_of_two_below(far);
         let scaled = ShearedRay { origin: self.origin / unit, stretch: 1.0, ..*self };
         (far > 0.0).then(|| (scaled, corners.map(|v| v / unit), unit))
@@ -152,15 +155,22 @@ impl ShearedRay {
     }
 
     /// The plane's meeting and the three edge functions (1), in 106 bits.
+    ///
+    /// Both are written with differences of corners, which stay small however far the ray's origin is:
+    /// `(a − o) × (b − o) = (a − o) × (b − a)`.
     fn solve(&self, corners: [DVec3; 3]) -> Option<(Meeting, [DoubleDouble; 3])> {
-        let [a, b, c] = corners.map(|v| Vector::<DoubleDouble>::difference(v, self.origin));
+        let [v0, v1, v2] = corners;
         let d = Vector::of(self.direction);
-        let normals = [b.cross(c), c.cross(a), a.cross(b)];
-        let edges = normals.map(|n| d.dot(n));
-        let along = edges[0] + edges[1] + edges[2];
-        let reach = [a, b, c].iter().map(|v| v.value().abs().max_element()).fold(0.0, f64::max);
-        let parallel = along.value().abs() <= NOISE * reach * reach && self.runs_along(corners);
-        let t = (a.dot(normals[0]) / along).value() * self.stretch;
+        let across = |a, b| {
+            let arm = Vector::<DoubleDouble>::difference(a, self.origin);
+            d.dot(arm.cross(Vector::difference(b, a)))
+        };
+        let edges = [across(v1, v2), across(v2, v0), across(v0, v1)];
+        let normal = Vector::<DoubleDouble>::difference(v1, v0).cross(Vector::difference(v2, v0));
+        let along = d.dot(normal);
+        let reach = (v1 - v0).abs().max_element() * (v2 - v0).abs().max_element();
+        let parallel = along.value().abs() <= NOISE * reach && self.runs_along(corners);
+        let t = (normal.dot(Vector::difference(v0, self.origin)) / along).value() * self.stretch;
         if parallel || along.sign() == Ok(0) || !t.is_finite() {
             return None;
         }
@@ -170,7 +180,7 @@ impl ShearedRay {
 
     /// The sign of (1), given its value in 106 bits.
     fn side(&self, value: DoubleDouble, a: DVec3, b: DVec3) -> i8 {
-        let reach = (a - self.origin).abs().max_element() * (b - self.origin).abs().max_element();
+        let reach = (a - self.origin).abs().max_element() * (b - a).abs().max_element();
         if value.value().abs() > NOISE * reach {
             return if value.value() > 0.0 { 1 } else { -1 };
         }
