@@ -110,7 +110,7 @@ impl Shape for Disc {
 /// The unit normal is known to 4 u in each coordinate, which moves an extent by up to `√(8u) r` where
 /// `nᵢ ≈ 1`; so the extent is taken from the other two coordinates, where the error is relative.
 pub(super) fn round_bounds(center: DVec3, normal: DVec3, radius: f64) -> Aabb {
-    let half = DVec3::from_array([0, 1, 2].map(|i| {
+    let half = DVec3::from_array([0, 1, 2].map(|i: usize| {
         let side = normal[(i + 1) % 3].hypot(normal[(i + 2) % 3]);
         radius * side * (1.0 + 16.0 * U)
     }));

@@ -28,10 +28,12 @@ impl Pose {
     }
 }
 
+pub type MakeSolid = fn(&Pose) -> Box<dyn Solid>;
+
 /// A shape under the laws, of size about 1 about the origin when at home.
 pub struct Member {
     pub make: fn(&Pose) -> Box<dyn Shape>,
-    pub solid: Option<fn(&Pose) -> Box<dyn Solid>>,
+    pub solid: Option<MakeSolid>,
     /// Does the surface of the shape at home come within `reach` of a point of `face`? In high precision.
     pub near: fn(DVec3, u32, f64) -> bool,
     /// By what the error of a texture coordinate is multiplied on its way to the point.

@@ -302,14 +302,14 @@ fn roots_are_right(row: &Row, found: &[f64], conditions: &str) -> Option<bool> {
 /// `Qp + l` rounds relative to the largest coefficients and to how far the ray comes; its direction, to that over its
 /// length; and the point is known to the condition of its `t`.
 fn gradient_rounding(row: &Row, p: DVec3, t: f64) -> f64 {
-    let n = |column| row.number(column);
+    let n = |column: &str| row.number(column);
     let [x, y, z] = p.to_array();
     let gradient = DVec3::new(
         n("A") * x + n("B") * y + n("C") * z + n("D"),
         n("B") * x + n("E") * y + n("F") * z + n("G"),
         n("C") * x + n("F") * y + n("H") * z + n("I"),
     );
-    let largest = |columns: &[&str]| columns.iter().map(|c| n(c).abs()).fold(0.0, f64::max);
+    let largest = |columns: &[&'static str]| columns.iter().map(|c| n(c).abs()).fold(0.0, f64::max);
     let reach = row.vector("o").abs().max_element() + t;
     let terms = largest(&["A", "B", "C", "E", "F", "H"]) * reach + largest(&["D", "G", "I"]);
     let cond = n("cond_tp0").max(1.0);

@@ -18,6 +18,7 @@ pub use clipped::ClippedQuadric;
 pub use ellipsoid::Ellipsoid;
 pub use textbook::{as_printed, textbook};
 
+use super::triangle::largest_axis;
 use super::{Shape, ShapeError, Solid, unit};
 use crate::bounds::Aabb;
 use crate::num::certified::{Bounded, Real, Roots, Uncertain, Vector, power_of_two_below, solve_quadratic};
@@ -52,21 +53,35 @@ impl Coefficients {
         DVec3::new(self.d, self.g, self.i)
     }
 
-    /// Each number divided by what belongs to its degree.
-    fn divided(&self, by2: impl Fn(f64) -> f64, by1: impl Fn(f64) -> f64, by0: impl Fn(f64) -> f64) -> Self {
+    /// Quadratic, linear and constant numbers divided by what belongs to their degree.
+    fn divided(&self, [by2, by1, by0]: [f64; 3]) -> Self {
         let Coefficients { a, b, c, d, e, f, g, h, i, j } = *self;
         Coefficients {
-            a: by2(a),
-            b: by2(b),
-            c: by2(c),
-            e: by2(e),
-            f: by2(f),
-            h: by2(h),
-            d: by1(d),
-            g: by1(g),
-            i: by1(i),
-            j: by0(j),
+            a: a / by2,
+            b: b / by2,
+            c: c / by2,
+            e: e / by2,
+            f: f / by2,
+            h: h / by2,
+            d: d / by1,
+            g: g / by1,
+            i: i / by1,
+            j: j / by0,
         }
+    }
+
+    /// The same surface with lengths counted in `unit`, a power of two, and its leading numbers as large as before.
+    fn counted_in(&self, unit: f64) -> Self {
+        if self.is_curved() {
+            // One division after the other: the square of the unit may overflow.
+            self.divided([1.0, unit, unit]).divided([1.0, 1.0, unit])
+        } else {
+            self.divided([1.0, 1.0, unit])
+        }
+    }
+
+    fn is_curved(&self) -> bool {
+        self.rows().iter().flatten().any(|&x| x != 0.0)
     }
 
     /// `Qp`.
@@ -102,6 +117,10 @@ impl Coefficients {
     }
 }
 
+fn largest(xs: &[f64]) -> f64 {
+    xs.iter().map(|x| x.abs()).fold(0.0, f64::max)
+}
+
 /// A surface of second degree; unbounded, but for ellipsoids.
 ///
 /// Faces: 0 where `q` grows along the mapping's axis, 1 where it falls: the two sheets over a plane.
@@ -129,34 +148,31 @@ impl Quadric {
     ///
     /// - Domain: finite; at least one coefficient beside `J` is not 0.
     pub fn new(given: Coefficients) -> Result<Self, ShapeError> {
-        let quadratic: [f64; 6] = [given.a, given.b, given.c, given.e, given.f, given.h];
-        let largest = |xs: &[f64]| xs.iter().map(|x| x.abs()).fold(0.0, f64::max);
+        let quadratic = [given.a, given.b, given.c, given.e, given.f, given.h];
         let linear = given.linear().to_array();
         if let Some(&found) = quadratic.iter().chain(&linear).chain([&given.j]).find(|x| !x.is_finite()) {
             return Err(ShapeError::NotFinite { what: "coefficient of a quadric", found });
         }
         let (square, slope) = (largest(&quadratic), largest(&linear));
-        let lead = power_of_two_below(square.max(if square > 0.0 { 0.0 } else { slope }));
         // Lengths at which the linear and the constant terms are as large as the leading ones.
-        let unit = if square > 0.0 {
-            power_of_two_below((slope / square).max((given.j.abs() / square).sqrt()))
+        let (lead, unit) = if square > 0.0 {
+            let unit = (slope / square).max((given.j.abs() / square).sqrt());
+            (power_of_two_below(square), power_of_two_below(unit))
         } else if slope > 0.0 {
-            power_of_two_below(given.j.abs() / slope)
+            (power_of_two_below(slope), power_of_two_below(given.j.abs() / slope))
         } else {
             return Err(ShapeError::NoEquation { what: "quadric" });
         };
-        let scaled = if square > 0.0 {
-            given.divided(|x| x / lead, |x| x / lead / unit, |x| x / lead / unit / unit)
+        let scaled = given.divided([lead, lead, lead]).counted_in(unit);
+        let squares = [scaled.a, scaled.e, scaled.h];
+        let upright = if largest(&squares) > 0.0 {
+            squares
+        } else if square > 0.0 {
+            scaled.rows().map(|row| largest(&row))
         } else {
-            given.divided(|_| 0.0, |x| x / lead, |x| x / lead / unit)
+            linear
         };
-        let weight = |v: [f64; 3]| super::triangle::largest_axis(DVec3::from_array(v));
-        let axis = match [scaled.a, scaled.e, scaled.h] {
-            [0.0, 0.0, 0.0] => weight(scaled.rows().map(|r| largest(&r)).map(|x| x + 0.0)),
-            squares => weight(squares),
-        };
-        let axis = if square > 0.0 { axis } else { weight(linear) };
-        Ok(Quadric { given, scaled, unit, axis })
+        Ok(Quadric { given, scaled, unit, axis: largest_axis(DVec3::from_array(upright)) })
     }
 
     pub fn coefficients(&self) -> Coefficients {
@@ -194,9 +210,7 @@ impl Quadric {
         if far > 2f64.powi(200) {
             // Beside such distances the surface's own size does not matter; the powers stay finite.
             let by = power_of_two_below(far);
-            let small = q.a != 0.0 || self.is_curved();
-            let last = |x: f64| if small { x / by / by } else { x / by };
-            q = q.divided(|x| x, |x| if small { x / by } else { x }, last);
+            q = q.counted_in(by);
             (o, unit) = (o / by, unit * by);
         }
         let t = start(&q, o, d);
@@ -205,10 +219,6 @@ impl Quadric {
             .unwrap_or(Found { roots: ArrayVec::new(), inside_before: false, single_crosses: false });
         found.roots = found.roots.into_iter().map(|t| t * unit / length).filter(|t| t.is_finite()).collect();
         found
-    }
-
-    fn is_curved(&self) -> bool {
-        self.scaled.rows().iter().flatten().any(|&x| x != 0.0)
     }
 }
 
@@ -338,7 +348,7 @@ impl Shape for Quadric {
         }
     }
 
-    /// Beside the sheets' common outline, the point of the outline's direction where they are nearest.
+    /// Where the face has no point over `uv`, that of the other face, else where the sheets come closest.
     fn point_at(&self, face: u32, uv: DVec2) -> DVec3 {
         let [w, u, v] = self.axes();
         let mut p = DVec3::ZERO;
