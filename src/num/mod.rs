@@ -1,5 +1,8 @@
 //! Numbers: rounding bounds, polynomial roots, sums.
 
+pub mod certified;
+pub mod double_double;
+pub mod expansion;
 pub mod real;
 pub mod statistics;
 pub mod sum;

@@ -5,6 +5,7 @@
 
 mod camera;
 mod colour;
+mod sphere_box;
 mod surface;
 
 use crate::ray::Ray;
@@ -18,8 +19,13 @@ pub const TOPICS: &[Topic] = &[
     camera::LOOKAT,
     camera::ROTATIONS,
     camera::NORMAL_TRANSFORM,
-    surface::RAY_SPHERE,
-    surface::RAY_BOX,
+    sphere_box::RAY_SPHERE,
+    sphere_box::RAY_BOX,
+    surface::RAY_TRIANGLE,
+    surface::RAY_DISC,
+    surface::RAY_CYLINDER,
+    surface::RAY_CONE,
+    surface::RAY_QUADRIC,
 ];
 
 /// A topic: one function of the library, or several methods for the same question.

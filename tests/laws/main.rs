@@ -4,13 +4,17 @@
 mod support;
 
 mod architecture;
+mod certified;
 mod figure;
 mod film;
 mod film_files;
+mod flat;
 mod frame;
 mod lessons;
 mod local;
 mod measure;
+mod quadrics;
 mod sample;
 mod scene_file;
+mod shapes;
 mod statistics;
