@@ -1,5 +1,11 @@
 //! Numbers: rounding bounds, polynomial roots, sums.
 
+pub mod cubic;
+pub mod dd;
+pub mod polynomial;
+pub mod quadratic;
+pub mod quartic;
+
 /// Unit roundoff `u = 2⁻⁵³` of `f64`: the largest relative error of one rounding to nearest.
 pub const U: f64 = f64::EPSILON / 2.0;
 
