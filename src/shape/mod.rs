@@ -1,5 +1,7 @@
 //! Surfaces: where a ray meets them, and what is there. One file per surface.
 
+pub mod torus;
+
 use crate::bounds::Aabb;
 use crate::ray::{Crossing, Hit, Ray, Span};
 use glam::{DVec2, DVec3};
