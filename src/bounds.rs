@@ -1,6 +1,5 @@
 //! Boxes that bound things.
 
-use crate::ray::Ray;
 use glam::DVec3;
 
 /// An axis-aligned box, closed; empty if some `min` exceeds its `max`. Faces may be infinitely far.
@@ -50,7 +49,7 @@ impl Aabb {
         self.min.cmple(other.max).all() && self.max.cmpge(other.min).all()
     }
 
-    /// The stretch `[t0, t1]` of the line through the box by slabs, clipped to `[t_min, t_max]`.
+    /// The stretch `[t0, t1]` of the line `origin + t d`, given `1/d`, in the box by slabs, clipped to `[t_min, t_max]`.
     ///
     /// A ray parallel to a slab and inside it gives −∞…∞ there; on the slab's face `0·∞ = NaN` would
     /// arise, and such a ray counts as inside: the comparisons below discard NaN in the ray's
@@ -59,12 +58,12 @@ impl Aabb {
     ///
     /// - Source: Ize, *Robust BVH Ray Traversal*, JCGT 2(2) (2013).
     #[inline]
-    pub fn slab(&self, ray: &Ray, inv_direction: DVec3, t_min: f64, t_max: f64) -> Option<(f64, f64)> {
+    pub fn slab(&self, origin: DVec3, inv_direction: DVec3, t_min: f64, t_max: f64) -> Option<(f64, f64)> {
         const WIDEN: f64 = 1.0 + 2.0 * crate::num::gamma(3);
         let (mut t0, mut t1) = (t_min, t_max);
         for axis in 0..3 {
-            let a = (self.min[axis] - ray.origin[axis]) * inv_direction[axis];
-            let b = (self.max[axis] - ray.origin[axis]) * inv_direction[axis];
+            let a = (self.min[axis] - origin[axis]) * inv_direction[axis];
+            let b = (self.max[axis] - origin[axis]) * inv_direction[axis];
             let (near, far) = if inv_direction[axis] < 0.0 { (b, a) } else { (a, b) };
             if near > t0 {
                 t0 = near;

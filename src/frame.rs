@@ -1,1 +1,112 @@
-//! Under construction.
+//! Orthonormal bases, rotations, and what they do to normals [B §4, §5.3].
+
+use glam::{DMat3, DVec3};
+
+/// Right, up and forward: unit vectors, pairwise perpendicular, `right × up = −forward`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    pub right: DVec3,
+    pub up: DVec3,
+    pub forward: DVec3,
+}
+
+/// Why there is no frame.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FrameError {
+    #[error("position and target are the same point {0}: there is no direction to look in")]
+    NoDirection(DVec3),
+    #[error("position, target and up must be finite, found {0}")]
+    NotFinite(DVec3),
+}
+
+/// Length at which a cross product of unit vectors is mostly rounding: its direction is then
+/// not known to half the digits.
+const PARALLEL: f64 = 1.0e-8; // ≈ √u: the error u/|r| of the direction r exceeds |r| itself
+
+impl Frame {
+    /// The frame of a viewer at `eye` who looks at `target`.
+    ///
+    /// ```text
+    /// f = (t − e)/|t − e|,   r = (f × up)/|f × up|,   u = r × f
+    /// ```
+    ///
+    /// - Where `up` is zero or parallel to the view, `r` does not exist [B §5.3.2]; the frame
+    ///   of [`Frame::around`] is taken instead, which is continuous in `f` almost everywhere.
+    /// - Accuracy: error of `r` and `u` ≤ a few u / sin∠(f, up).
+    /// - Source: [B §5.3], with `right` normalised (see the errata).
+    pub fn look_at(eye: DVec3, target: DVec3, up: DVec3) -> Result<Self, FrameError> {
+        for v in [eye, target, up] {
+            if !v.is_finite() {
+                return Err(FrameError::NotFinite(v));
+            }
+        }
+        let Some(forward) = unit(half_difference(target, eye)) else {
+            return Err(FrameError::NoDirection(eye));
+        };
+        let right = unit(up).map(|up| forward.cross(up)).filter(|r| r.length() > PARALLEL).and_then(unit);
+        Ok(match right {
+            Some(right) => Frame { right, up: right.cross(forward), forward },
+            None => Self::around(forward),
+        })
+    }
+
+    /// Some frame with this unit `forward`.
+    ///
+    /// - Accuracy: orthonormal to 4 u, for every direction.
+    /// - Source: Duff et al., *Building an Orthonormal Basis, Revisited*, JCGT 6(1) (2017).
+    pub fn around(forward: DVec3) -> Self {
+        let (right, down) = forward.any_orthonormal_pair();
+        Frame { right, up: -down, forward }
+    }
+}
+
+fn half_difference(a: DVec3, b: DVec3) -> DVec3 {
+    a * 0.5 - b * 0.5 // halves, so that the difference of two large points does not overflow
+}
+
+/// The unit vector along `v`; `None` for the zero vector. No length under- or overflows.
+pub fn unit(v: DVec3) -> Option<DVec3> {
+    let largest = v.abs().max_element();
+    if largest == 0.0 || !largest.is_finite() {
+        return None;
+    }
+    let scaled = v / largest;
+    Some(scaled / scaled.length())
+}
+
+/// The matrix that turns by `angle` [rad] counter-clockwise about `axis` (any length but 0).
+///
+/// ```text
+/// M = cos θ I + sin θ [a]ₓ + (1 − cos θ) a aᵀ,    1 − cos θ = 2 sin²(θ/2)
+/// ```
+///
+/// - Domain: `None` for the zero axis. Angles of any size; the sine's argument reduction is exact.
+/// - Accuracy: each entry ≤ 8 u absolute: products of factors ≤ 1, summed once.
+/// - Source: Rodrigues (1840); [B §4.5.4] has the three axes.
+pub fn rotation_about(axis: DVec3, angle: f64) -> Option<DMat3> {
+    let a = unit(axis)?;
+    let (s, c) = angle.sin_cos();
+    let half = (0.5 * angle).sin();
+    let k = 2.0 * half * half;
+    let column = |e: DVec3| e * c + a.cross(e) * s + a * (k * a.dot(e));
+    Some(DMat3::from_cols(column(DVec3::X), column(DVec3::Y), column(DVec3::Z)))
+}
+
+/// The unit normal of a surface after the linear map `m`: along `m⁻ᵀ n`.
+///
+/// A normal is not a displacement: under a non-uniform scale `m n` tilts away from the surface. The
+/// cofactor matrix, `det(m) m⁻ᵀ`, needs no division; its sign is undone for mirrors.
+///
+/// - Domain: `None` if `m` squashes the surface's normal to nothing (singular), or `n = 0`.
+/// - Source: Turkowski, *Properties of Surface-Normal Transformations*, Graphics Gems (1990).
+pub fn transform_normal(m: &DMat3, n: DVec3) -> Option<DVec3> {
+    let largest = m.x_axis.abs().max(m.y_axis.abs()).max(m.z_axis.abs()).max_element();
+    if largest == 0.0 || !largest.is_finite() {
+        return None;
+    }
+    let (x, y, z) = (m.x_axis / largest, m.y_axis / largest, m.z_axis / largest);
+    let (yz, zx, xy) = (y.cross(z), z.cross(x), x.cross(y));
+    let det = x.dot(yz);
+    let along = yz * n.x + zx * n.y + xy * n.z;
+    unit(if det < 0.0 { -along } else { along }).filter(|_| det != 0.0)
+}

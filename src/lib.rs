@@ -8,8 +8,8 @@
 //!
 //! | floor | module | holds |
 //! |---|---|---|
-//! | 0 | [`num`] | polynomial roots, rounding bounds, compensated sums, quadrature, statistics |
-//! | 1 | [`ray`], [`frame`], [`bounds`], [`color`] | rays, hits, the trace hook; rotations and bases; boxes and spheres; colour spaces |
+//! | 0 | [`num`], [`color`] | polynomial roots, rounding bounds, compensated sums, quadrature, statistics; colour spaces |
+//! | 1 | [`ray`], [`frame`], [`bounds`] | rays, hits, the trace hook; rotations and bases; boxes and spheres |
 //! | 2 | [`sample`], [`film`], [`measure`] | random numbers and warps; images and their metrics; cost and error of methods |
 //! | 3 | [`shape`] | one file per surface: where a ray meets it, and its solid's spans |
 //! | 4 | [`light`] | emission and its fall-off |

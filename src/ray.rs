@@ -113,6 +113,25 @@ pub enum RayKind {
     Photon,
 }
 
+impl RayKind {
+    pub const ALL: [RayKind; 6] = {
+        use RayKind::*;
+        [Camera, Shadow, Reflected, Refracted, Indirect, Photon]
+    };
+
+    /// The word for it in messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            RayKind::Camera => "camera",
+            RayKind::Shadow => "shadow",
+            RayKind::Reflected => "reflected",
+            RayKind::Refracted => "refracted",
+            RayKind::Indirect => "indirect",
+            RayKind::Photon => "photon",
+        }
+    }
+}
+
 /// Listens to an integrator at every ray, hit and weight.
 ///
 /// Rays nest: what is reported between [`Trace::enter`] and its [`Trace::leave`] is a child of that
@@ -126,7 +145,7 @@ pub trait Trace {
     /// The current ray ends at `hit` on the object called `object`.
     fn hit(&mut self, _object: usize, _hit: &Hit) {}
     /// The current shadow segment is blocked by the object of that index.
-    fn blocked(&mut self, _object: usize, _t: f64) {}
+    fn blocked(&mut self, _object: usize) {}
     /// The current ray is done and brings `radiance`.
     fn leave(&mut self, _radiance: Rgb) {}
     /// Work was done that is worth counting.
@@ -136,9 +155,11 @@ pub trait Trace {
 /// Kinds of counted work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Work {
-    /// A ray tested against a shape.
+    /// A ray of that kind was traced.
+    Ray(RayKind),
+    /// A ray was tested against a shape.
     ShapeTest,
-    /// A node of a hierarchy visited.
+    /// A node of a hierarchy was visited.
     NodeVisit,
 }
 
@@ -148,4 +169,46 @@ pub struct Silent;
 
 impl Trace for Silent {
     const ACTIVE: bool = false;
+}
+
+/// The tracer that only counts: a few additions a ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    rays: [u64; RayKind::ALL.len()],
+    pub shape_tests: u64,
+    pub node_visits: u64,
+}
+
+impl Tally {
+    /// Rays of one kind.
+    pub fn rays(&self, kind: RayKind) -> u64 {
+        self.rays[kind as usize]
+    }
+
+    /// Rays of all kinds.
+    pub fn total_rays(&self) -> u64 {
+        self.rays.iter().sum()
+    }
+
+    /// Adds another count to this one.
+    pub fn add(&mut self, other: &Tally) {
+        for (sum, n) in self.rays.iter_mut().zip(other.rays) {
+            *sum += n;
+        }
+        self.shape_tests += other.shape_tests;
+        self.node_visits += other.node_visits;
+    }
+}
+
+impl Trace for Tally {
+    const ACTIVE: bool = false;
+
+    #[inline]
+    fn count(&mut self, work: Work, times: u64) {
+        match work {
+            Work::Ray(kind) => self.rays[kind as usize] += times,
+            Work::ShapeTest => self.shape_tests += times,
+            Work::NodeVisit => self.node_visits += times,
+        }
+    }
 }

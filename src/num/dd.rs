@@ -8,7 +8,7 @@
 //! hardware, but on the default target it is a call into the C library, or a slow emulation.
 
 use super::U;
-use std::fmt::Debug;
+use super::real::Real;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `a + b = s + e` exactly: the rounded sum and its error.
@@ -62,41 +62,6 @@ pub fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let (q, qe) = two_prod(c, d);
     let (s, se) = two_sum(p, -q);
     s + (se + (pe - qe))
-}
-
-/// Arithmetic that root finding needs, in one precision or another.
-pub trait Real:
-    Copy
-    + Debug
-    + PartialOrd
-    + Neg<Output = Self>
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-{
-    /// Bound on the relative error of one operation.
-    const ROUNDOFF: f64;
-    fn of(x: f64) -> Self;
-    /// The nearest `f64`.
-    fn to_f64(self) -> f64;
-    fn sqrt(self) -> Self;
-}
-
-impl Real for f64 {
-    const ROUNDOFF: f64 = U;
-    #[inline]
-    fn of(x: f64) -> Self {
-        x
-    }
-    #[inline]
-    fn to_f64(self) -> f64 {
-        self
-    }
-    #[inline]
-    fn sqrt(self) -> Self {
-        f64::sqrt(self)
-    }
 }
 
 /// A double-double number: the unevaluated sum `hi + lo`, `hi` being the sum rounded to `f64`.
@@ -209,9 +174,10 @@ impl Div for Dd {
 }
 
 impl Real for Dd {
+    const ZERO: Self = Dd::new(0.0);
     const ROUNDOFF: f64 = 16.0 * U * U;
     #[inline]
-    fn of(x: f64) -> Self {
+    fn from_f64(x: f64) -> Self {
         Dd::new(x)
     }
     #[inline]
@@ -227,5 +193,8 @@ impl Real for Dd {
         let rest = self - Dd::product(root, root);
         let (hi, lo) = fast_two_sum(root, rest.hi / (2.0 * root));
         Dd { hi, lo }
+    }
+    fn with_sign_of(self, sign: Self) -> Self {
+        if self.hi.is_sign_negative() == sign.hi.is_sign_negative() { self } else { -self }
     }
 }

@@ -5,6 +5,9 @@ pub mod dd;
 pub mod polynomial;
 pub mod quadratic;
 pub mod quartic;
+pub mod real;
+pub mod statistics;
+pub mod sum;
 
 /// Unit roundoff `u = 2⁻⁵³` of `f64`: the largest relative error of one rounding to nearest.
 pub const U: f64 = f64::EPSILON / 2.0;

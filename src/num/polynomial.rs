@@ -7,7 +7,8 @@
 //! says whether every sign is certain; [`real_roots`] starts in `f64` and repeats in
 //! double-double the few polynomials that `f64` cannot decide. No tolerance is absolute.
 
-use super::dd::{Dd, Real};
+use super::dd::Dd;
+use super::real::Real;
 use arrayvec::ArrayVec;
 
 /// A polynomial `Σ c[k] xᵏ`, with the size of its terms `Σ w[k] |x|ᵏ` that rounding errors go by.
@@ -55,9 +56,9 @@ impl<R: Real> Polynomial<R> {
     }
 
     pub(crate) fn derivative(&self) -> Self {
-        let (mut c, mut w) = ([R::of(0.0); 5], [0.0; 5]);
+        let (mut c, mut w) = ([R::ZERO; 5], [0.0; 5]);
         for k in 1..=self.degree {
-            c[k - 1] = self.c[k] * R::of(k as f64);
+            c[k - 1] = self.c[k] * R::from_f64(k as f64);
             w[k - 1] = self.w[k] * k as f64;
         }
         Polynomial { degree: self.degree.saturating_sub(1), c, w }
@@ -67,7 +68,7 @@ impl<R: Real> Polynomial<R> {
     #[inline]
     pub fn eval(&self, x: R) -> (R, R, f64) {
         let size = x.to_f64().abs();
-        let (mut f, mut df, mut sum) = (self.c[self.degree], R::of(0.0), self.w[self.degree]);
+        let (mut f, mut df, mut sum) = (self.c[self.degree], R::ZERO, self.w[self.degree]);
         for k in (0..self.degree).rev() {
             df = df * x + f;
             f = f * x + self.c[k];
@@ -134,7 +135,7 @@ fn stationary_points<R: Real>(p: &Polynomial<R>, lo: R, hi: R) -> ArrayVec<R, 3>
 
 /// Roots of a quadratic up to rounding; where rounding hides whether there are any, the vertex.
 fn near_roots_of_quadratic<R: Real>(p: &Polynomial<R>) -> ArrayVec<R, 2> {
-    let (a, b, c) = (p.c[2], p.c[1] * R::of(0.5), p.c[0]);
+    let (a, b, c) = (p.c[2], p.c[1] * R::from_f64(0.5), p.c[0]);
     let discriminant = b * b - a * c;
     let size = (b * b).to_f64() + (a * c).to_f64().abs();
     let mut out = ArrayVec::new();
@@ -172,11 +173,8 @@ pub fn refine<R: Real>(p: &Polynomial<R>, bracket: &Bracket<R>) -> R {
         }
         let newton = x - f / df;
         let step = (newton - x).to_f64().abs();
-        let next = if newton > lo && newton < hi && 2.0 * step <= step_before {
-            newton
-        } else {
-            middle(lo, hi)
-        };
+        let next =
+            if newton > lo && newton < hi && 2.0 * step <= step_before { newton } else { middle(lo, hi) };
         step_before = (next - x).to_f64().abs();
         if step_before <= 4.0 * R::ROUNDOFF * next.to_f64().abs() || next == lo || next == hi {
             return next;
@@ -190,23 +188,23 @@ pub fn refine<R: Real>(p: &Polynomial<R>, bracket: &Bracket<R>) -> R {
 fn f_over_slope<R: Real>(f: R, df: R, x: R, lo: R, hi: R) -> R {
     let step = f / df;
     let next = x - step;
-    if next >= lo && next <= hi { step } else { R::of(0.0) }
+    if next >= lo && next <= hi { step } else { R::ZERO }
 }
 
 /// A point between: the mean, or where the numbers differ by orders of magnitude, the middle of their bit patterns.
 pub(crate) fn middle<R: Real>(lo: R, hi: R) -> R {
     let (a, b) = (lo.to_f64(), hi.to_f64());
     if a < 0.0 && b > 0.0 {
-        return R::of(0.0);
+        return R::ZERO;
     }
     let (small, large) = if a.abs() < b.abs() { (a.abs(), b.abs()) } else { (b.abs(), a.abs()) };
     if large > 8.0 * small {
         // A zero end stands for what is smaller than any root that matters beside it.
         let small = if small == 0.0 { large * 2f64.powi(-64) } else { small };
         let bits = small.to_bits() / 2 + large.to_bits() / 2;
-        return R::of(f64::from_bits(bits).copysign(if a < 0.0 || b < 0.0 { -1.0 } else { 1.0 }));
+        return R::from_f64(f64::from_bits(bits).copysign(if a < 0.0 || b < 0.0 { -1.0 } else { 1.0 }));
     }
-    (lo + hi) * R::of(0.5)
+    (lo + hi) * R::from_f64(0.5)
 }
 
 /// The distinct real roots of `Σ c[k] xᵏ`, constant coefficient first, ascending.

@@ -3,6 +3,28 @@
 //! Students check exercises with it, and other programs check the library: a CSV with a header goes
 //! in, a CSV with the answers comes out, row by row, every number printed so that it reads back exactly.
 
+mod camera;
+mod colour;
+mod surface;
+mod torus;
+
+use crate::ray::Ray;
+use glam::DVec3;
+use std::fmt::Write;
+
+/// Every topic, chapter by chapter.
+pub const TOPICS: &[Topic] = &[
+    colour::SRGB_TRANSFER,
+    camera::PINHOLE,
+    camera::LOOKAT,
+    camera::ROTATIONS,
+    camera::NORMAL_TRANSFORM,
+    surface::RAY_SPHERE,
+    surface::RAY_BOX,
+    torus::RAY_TORUS,
+    torus::QUARTIC_ROOTS,
+];
+
 /// A topic: one function of the library, or several methods for the same question.
 pub struct Topic {
     pub name: &'static str,
@@ -44,39 +66,161 @@ pub struct RowError {
 
 /// The named cells of one input row.
 pub struct Row<'a> {
-    names: &'a [&'static str],
-    cells: &'a [&'a str],
+    inputs: &'static [(&'static str, &'static str)],
+    /// Where each input stands in the record.
+    places: &'a [usize],
+    record: &'a csv::StringRecord,
 }
 
 impl Row<'_> {
     /// The text of a column that the topic declares.
     pub fn text(&self, column: &str) -> &str {
-        let i = self
-            .names
-            .iter()
-            .position(|n| *n == column)
-            .unwrap_or_else(|| panic!("undeclared column {column}"));
-        self.cells[i].trim()
+        let i = self.inputs.iter().position(|(name, _)| *name == column);
+        let place =
+            self.places[i.unwrap_or_else(|| panic!("the topic does not declare the column {column}"))];
+        self.record.get(place).unwrap_or("").trim()
     }
 
-    /// The number in a column; a blank, a word or a NaN is an error, infinities are allowed.
+    /// The finite number in a column.
     pub fn number(&self, column: &str) -> Result<f64, RowError> {
-        let text = self.text(column);
-        match text.parse::<f64>() {
-            Ok(x) if !x.is_nan() => Ok(x),
-            _ => Err(self.error(column, "a number")),
+        match self.text(column).parse::<f64>() {
+            Ok(x) if x.is_finite() => Ok(x),
+            _ => Err(self.error(column, "a finite number")),
         }
     }
 
     /// The vector in the columns `{prefix}x {prefix}y {prefix}z`.
     pub fn vector(&self, prefix: &str) -> Result<glam::DVec3, RowError> {
         let n = |axis: &str| self.number(&format!("{prefix}{axis}"));
-        Ok(glam::DVec3::new(n("x")?, n("y")?, n("z")?))
+        Ok(DVec3::new(n("x")?, n("y")?, n("z")?))
+    }
+
+    /// The ray in the columns `ox … dz`; its direction may have any length but 0.
+    pub fn ray(&self) -> Result<Ray, RowError> {
+        let ray = Ray::new(self.vector("o")?, self.vector("d")?);
+        if ray.direction == DVec3::ZERO {
+            return Err(self.error("dx", "a direction that is not the zero vector"));
+        }
+        Ok(ray)
     }
 
     pub fn error(&self, column: &str, expected: &str) -> RowError {
         let found = self.text(column);
         let found = if found.is_empty() { "nothing".to_string() } else { format!("`{found}`") };
         RowError { column: column.to_string(), expected: expected.to_string(), found }
+    }
+}
+
+/// Why a table was not answered.
+#[derive(Debug, thiserror::Error)]
+pub enum ProbeError {
+    #[error("no topic is called `{found}`; expected one of: {expected}")]
+    UnknownTopic { found: String, expected: String },
+    #[error("topic {topic} has no method `{found}`; expected one of: {expected}")]
+    UnknownMethod { topic: &'static str, found: String, expected: String },
+    #[error("line 1: the header lacks the column `{column}` of topic {topic}; expected {expected}")]
+    MissingColumn { topic: &'static str, column: &'static str, expected: String },
+    #[error("line {line}, column {number} (`{column}`): expected {expected}, found {found}", column = error.column, expected = error.expected, found = error.found)]
+    Row { line: u64, number: usize, error: RowError },
+    #[error("line {line}: {source}")]
+    Csv { line: u64, source: csv::Error },
+}
+
+/// The names of all topics, comma by comma.
+fn names<'a>(all: impl Iterator<Item = &'a str>) -> String {
+    all.collect::<Vec<_>>().join(", ")
+}
+
+/// The topic of that name.
+///
+/// - Errors: unknown name; the message lists those that exist.
+pub fn topic(name: &str) -> Result<&'static Topic, ProbeError> {
+    TOPICS.iter().find(|t| t.name == name).ok_or_else(|| ProbeError::UnknownTopic {
+        found: name.to_string(),
+        expected: names(TOPICS.iter().map(|t| t.name)),
+    })
+}
+
+/// Answers a table: the output's header and a line for each row of `input`.
+///
+/// - Errors: the first row that cannot be answered, by line and column; there is no partial answer.
+pub fn run(topic: &'static Topic, method: Option<&str>, input: &[u8]) -> Result<String, ProbeError> {
+    let method = match method {
+        None => topic.methods.first().map_or("", |m| m.0),
+        Some(found) => topic.methods.iter().map(|m| m.0).find(|m| *m == found).ok_or_else(|| {
+            let expected = names(topic.methods.iter().map(|m| m.0));
+            ProbeError::UnknownMethod { topic: topic.name, found: found.to_string(), expected }
+        })?,
+    };
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(input);
+    let header = reader.headers().map_err(|source| ProbeError::Csv { line: 1, source })?.clone();
+    let place = |column: &'static str| {
+        header.iter().position(|name| name.trim_start_matches('\u{feff}') == column).ok_or_else(|| {
+            let expected = names(topic.inputs.iter().map(|i| i.0));
+            ProbeError::MissingColumn { topic: topic.name, column, expected }
+        })
+    };
+    let places = topic.inputs.iter().map(|(column, _)| place(column)).collect::<Result<Vec<_>, _>>()?;
+    let mut out = topic.outputs.iter().map(|o| o.0).collect::<Vec<_>>().join(",");
+    out.push('\n');
+    for record in reader.records() {
+        let line = |p: Option<&csv::Position>| p.map_or(0, csv::Position::line);
+        let record = record.map_err(|source| ProbeError::Csv { line: line(source.position()), source })?;
+        let row = Row { inputs: topic.inputs, places: &places, record: &record };
+        let cells = (topic.answer)(&row, method).map_err(|error| {
+            let number = header.iter().position(|name| name == error.column).map_or(0, |i| i + 1);
+            ProbeError::Row { line: line(record.position()), number, error }
+        })?;
+        debug_assert_eq!(cells.len(), topic.outputs.len(), "topic {} answers its columns", topic.name);
+        write_row(&mut out, &cells);
+    }
+    Ok(out)
+}
+
+/// Numbers are printed with the fewest digits that read back exactly.
+fn write_row(out: &mut String, cells: &[Cell]) {
+    for (i, cell) in cells.iter().enumerate() {
+        if i > 0 {
+            out.push(',');
+        }
+        // Writing to a string cannot fail.
+        let _ = match cell {
+            Cell::Number(x) if *x == 0.0 || (1.0e-5..1.0e16).contains(&x.abs()) => write!(out, "{x}"),
+            Cell::Number(x) => write!(out, "{x:e}"),
+            Cell::Count(n) => write!(out, "{n}"),
+            Cell::Text(text) => write!(out, "{text}"),
+            Cell::Blank => Ok(()),
+        };
+    }
+    out.push('\n');
+}
+
+/// What `probe --list` prints: topics, methods, columns and units.
+pub fn list() -> String {
+    let columns = |all: &[(&str, &str)]| {
+        let shown = all.iter().map(|(name, unit)| match *unit {
+            "" => name.to_string(),
+            unit => format!("{name} [{unit}]"),
+        });
+        shown.collect::<Vec<_>>().join(" ")
+    };
+    let mut out = String::new();
+    for topic in TOPICS {
+        let _ = writeln!(out, "{}: {}", topic.name, topic.about);
+        let _ = writeln!(out, "  in:  {}", columns(topic.inputs));
+        let _ = writeln!(out, "  out: {}", columns(topic.outputs));
+        for (i, (name, about)) in topic.methods.iter().enumerate() {
+            let default = if i == 0 { " (default)" } else { "" };
+            let _ = writeln!(out, "  method {name}{default}: {about}");
+        }
+    }
+    out
+}
+
+/// A vector in three cells.
+fn cells_of(vector: Option<DVec3>) -> [Cell; 3] {
+    match vector {
+        Some(v) => v.to_array().map(Cell::Number),
+        None => [Cell::Blank, Cell::Blank, Cell::Blank],
     }
 }

@@ -1,9 +1,14 @@
 //! Surfaces: where a ray meets them, and what is there. One file per surface.
 
+pub mod cuboid;
+pub mod fan;
+pub mod instance;
+pub mod sphere;
 pub mod torus;
 
 use crate::bounds::Aabb;
 use crate::ray::{Crossing, Hit, Ray, Span};
+use fan::Fan;
 use glam::{DVec2, DVec3};
 use std::fmt::Debug;
 
@@ -30,6 +35,21 @@ pub trait Shape: Debug + Send + Sync {
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
         self.nearest(ray, 0.0, t_max).is_some()
     }
+
+    /// Could the shape stand in the way of some segment of the fan? A "no" is certain.
+    fn may_block(&self, fan: &Fan) -> bool {
+        self.bounds().overlaps(&fan.hull)
+    }
+
+    /// Puts 0 into `lit[i]` for every segment `i` of the fan that the shape [blocks](Shape::blocks).
+    /// `lit` has the fan's padded length.
+    fn shade(&self, fan: &Fan, lit: &mut [f64]) {
+        for (i, lit) in lit.iter_mut().enumerate().take(fan.len()) {
+            if *lit != 0.0 && self.blocks(&Ray::new(fan.origin, fan.direction(i)), 1.0) {
+                *lit = 0.0;
+            }
+        }
+    }
 }
 
 /// A surface that encloses a solid.
@@ -40,4 +60,30 @@ pub trait Solid: Shape {
 
     /// Is the point inside or on the surface?
     fn contains(&self, p: DVec3) -> bool;
+}
+
+/// Why there is no such shape.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ShapeError {
+    #[error("{what} must be positive and finite, found {found}")]
+    NotPositive { what: &'static str, found: f64 },
+    #[error("{what} must be finite, found {found}")]
+    NotFinite { what: &'static str, found: DVec3 },
+    #[error("{what} must not be degenerate: {why}")]
+    Degenerate { what: &'static str, why: &'static str },
+}
+
+impl ShapeError {
+    fn check_positive(what: &'static str, found: f64) -> Result<(), Self> {
+        if found > 0.0 && found.is_finite() { Ok(()) } else { Err(Self::NotPositive { what, found }) }
+    }
+
+    fn check_finite(what: &'static str, found: DVec3) -> Result<(), Self> {
+        if found.is_finite() { Ok(()) } else { Err(Self::NotFinite { what, found }) }
+    }
+}
+
+/// The span between two crossings; `None` where they touch, for a touch encloses nothing.
+fn span_of_pair(enter: Crossing, leave: Crossing) -> Option<Span> {
+    (enter.t < leave.t).then_some(Span { enter, leave })
 }

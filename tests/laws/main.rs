@@ -1,1 +1,8 @@
+//! Laws: properties and invariants, module by module.
 
+mod architecture;
+mod film;
+mod film_files;
+mod frame;
+mod local;
+mod scene_file;

@@ -1,1 +1,5 @@
+//! Oracles: closed forms, brute force, high-precision tables.
 
+mod film;
+mod tables;
+mod truth;

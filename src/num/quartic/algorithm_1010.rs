@@ -79,7 +79,11 @@ impl Quartic {
         };
         let second_error = match second {
             Some(f) => self.error(f),
-            None => mismatch(2.0 * l3 + l1 * l1, self.b) + mismatch(2.0 * l1 * l3, self.c) + mismatch(l3 * l3 + d3, self.d),
+            None => {
+                mismatch(2.0 * l3 + l1 * l1, self.b)
+                    + mismatch(2.0 * l1 * l3, self.c)
+                    + mismatch(l3 * l3 + d3, self.d)
+            }
         };
         if second_error < first_error { second } else { first }
     }
@@ -88,11 +92,8 @@ impl Quartic {
     fn phi(&self) -> f64 {
         let Quartic { a, b, c, d } = *self;
         let under_root = 9.0 * a * a - 24.0 * b;
-        let s = if under_root > 0.0 {
-            -2.0 * b / (3.0 * a + under_root.sqrt().copysign(a))
-        } else {
-            -a / 4.0
-        };
+        let s =
+            if under_root > 0.0 { -2.0 * b / (3.0 * a + under_root.sqrt().copysign(a)) } else { -a / 4.0 };
         let aq = a + 4.0 * s;
         let bq = b + 3.0 * s * (a + 2.0 * s);
         let cq = c + s * (2.0 * b + s * (3.0 * a + 4.0 * s));

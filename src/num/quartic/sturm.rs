@@ -1,8 +1,9 @@
 //! Sturm's chain counts the roots in any interval; bisection finds them.
 
 use super::{Roots, with_scaled_roots};
-use crate::num::dd::{Dd, Real};
+use crate::num::dd::Dd;
 use crate::num::polynomial::{Bracket, Polynomial, middle, polish, refine};
+use crate::num::real::Real;
 use arrayvec::ArrayVec;
 
 /// Real roots by Sturm's theorem: the sign changes in the chain at `x` minus those at `y` count the distinct roots in `(x, y]`.
@@ -90,7 +91,12 @@ fn changes(chain: &Chain, x: f64) -> usize {
 }
 
 /// Appends the roots in `(lo, hi]`, each end given with its count of changes.
-fn search(p: &Polynomial<f64>, chain: &Chain, [(lo, at_lo), (hi, at_hi)]: [(f64, usize); 2], out: &mut Roots) {
+fn search(
+    p: &Polynomial<f64>,
+    chain: &Chain,
+    [(lo, at_lo), (hi, at_hi)]: [(f64, usize); 2],
+    out: &mut Roots,
+) {
     let roots = at_lo.saturating_sub(at_hi);
     if roots == 0 || out.is_full() {
         return;

@@ -47,10 +47,9 @@ pub(super) fn recentred(line: &Line, solver: Solver) -> Meetings {
 
 /// Adds the signs between roots, asked at their middles.
 fn signed(roots: Roots, inside: impl Fn(f64) -> bool) -> impl Iterator<Item = Meeting> {
-    let between = |i: usize| if inside(0.5 * (roots[i] + roots[i + 1])) { -1 } else { 1 };
     let mut signs = [1; 5];
-    for i in 1..roots.len() {
-        signs[i] = between(i - 1);
+    for (sign, pair) in signs[1..].iter_mut().zip(roots.windows(2)) {
+        *sign = if inside(0.5 * (pair[0] + pair[1])) { -1 } else { 1 };
     }
     roots.into_iter().enumerate().map(move |(i, t)| Meeting { t, before: signs[i], after: signs[i + 1] })
 }

@@ -13,8 +13,9 @@
 use super::first::{First, first_root};
 use super::{Meeting, Meetings, Scaled};
 use crate::num::U;
-use crate::num::dd::{Dd, Real, difference_of_products};
+use crate::num::dd::{Dd, difference_of_products};
 use crate::num::polynomial::{Bracket, Polynomial, exponent, isolate, refine, times_power_of_two};
+use crate::num::real::Real;
 use crate::ray::Ray;
 use glam::DVec3;
 
@@ -89,8 +90,7 @@ impl<'a> Line<'a> {
         let m2 = flat + self.m.z * self.m.z;
         let a2 = a * a;
         let linear = 8.0 * a2 * self.m.z * self.d.z;
-        let square =
-            2.0 * d2 * (m2 + gap) - 4.0 * a2 * (self.d.x * self.d.x + self.d.y * self.d.y);
+        let square = 2.0 * d2 * (m2 + gap) - 4.0 * a2 * (self.d.x * self.d.x + self.d.y * self.d.y);
         let sum = m2 + gap;
         let c = [sum * sum - 4.0 * a2 * flat, linear, square, 0.0, d2 * d2];
         let size = m2 + a2;

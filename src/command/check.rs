@@ -1,0 +1,51 @@
+//! `lightbench check`: is this scene file right, and what is in it?
+
+use crate::light::Light;
+use crate::scene_file::{Color, SceneFile, read_file};
+use std::path::Path;
+
+/// What there is to say about a scene file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CheckReport {
+    /// Every finding, in order of place; and a summary if the file is right.
+    pub text: String,
+    /// Number of errors: 0 for a file that can be drawn.
+    pub problems: usize,
+}
+
+/// Reads a scene file and says everything that can be said about it without drawing it.
+pub fn check(path: &Path, color: Color) -> CheckReport {
+    match read_file(path) {
+        Ok(file) => {
+            let text = file.remarks.render(color) + &summary(&path.display().to_string(), &file);
+            CheckReport { text, problems: 0 }
+        }
+        Err(error) => {
+            let problems = error.problems();
+            let text = error.render(color) + &format!("{}: {}\n", path.display(), counted(problems, "error"));
+            CheckReport { text, problems }
+        }
+    }
+}
+
+/// What is in a right file, in a few lines.
+fn summary(name: &str, file: &SceneFile) -> String {
+    let (scene, settings) = (&file.scene, &file.settings);
+    let areas = scene.lights.iter().filter(|l| matches!(l, Light::Area(_))).count();
+    format!(
+        "{name}: right\n  {}, {}, {} ({} without size, {areas} with area)\n  {} × {} pixels, {} each; \
+         local illumination shoots up to {} per pixel\n",
+        counted(scene.objects.len(), "object"),
+        counted(scene.materials.len(), "material"),
+        counted(scene.lights.len(), "light"),
+        scene.lights.len() - areas,
+        settings.width,
+        settings.height,
+        counted(settings.samples as usize, "sample"),
+        counted(usize::try_from(file.rays_per_pixel()).unwrap_or(usize::MAX), "ray"),
+    )
+}
+
+fn counted(n: usize, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
+}

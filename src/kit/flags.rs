@@ -1,0 +1,118 @@
+//! The flags that lessons and commands share.
+
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// How much work a run may do.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+pub enum Quality {
+    /// Under a second: is everything there? Tests use it.
+    Smoke,
+    /// Seconds: the default.
+    #[default]
+    Draft,
+    /// A minute: figures to show.
+    Standard,
+    /// As long as it takes: figures to print.
+    Final,
+}
+
+impl Quality {
+    /// The word for it on a command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Quality::Smoke => "smoke",
+            Quality::Draft => "draft",
+            Quality::Standard => "standard",
+            Quality::Final => "final",
+        }
+    }
+}
+
+/// Flags that mean the same everywhere. A flag wins over a scene file, a scene file over the quality's defaults.
+#[derive(Args, Clone, Debug, Default)]
+pub struct Flags {
+    /// Folder for the files that are written [default: out]
+    #[arg(long, value_name = "DIR", global = true)]
+    pub out: Option<PathBuf>,
+    /// How much work to do [default: draft]
+    #[arg(long, value_enum, global = true)]
+    pub quality: Option<Quality>,
+    /// Seed of every random number: same seed, same bytes [default: 0]
+    #[arg(long, global = true)]
+    pub seed: Option<u64>,
+    /// Number of threads [default: one for each core]
+    #[arg(long, value_name = "N", global = true, value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+    /// Width of pictures [pixels]
+    #[arg(long, value_name = "PX", global = true, value_parser = clap::value_parser!(u16).range(1..))]
+    pub width: Option<u16>,
+    /// Height of pictures [pixels]
+    #[arg(long, value_name = "PX", global = true, value_parser = clap::value_parser!(u16).range(1..))]
+    pub height: Option<u16>,
+    /// Camera rays a pixel
+    #[arg(long, value_name = "N", global = true, value_parser = clap::value_parser!(u16).range(1..))]
+    pub spp: Option<u16>,
+    /// Make only what has this in its name or number
+    #[arg(long, value_name = "NAME", global = true)]
+    pub only: Option<String>,
+    /// File format of pictures
+    #[arg(long, value_enum, global = true)]
+    pub format: Option<PictureFormat>,
+    /// No progress, notes or warnings
+    #[arg(long, global = true)]
+    pub quiet: bool,
+    /// List what there is to choose from, and stop
+    #[arg(long, global = true)]
+    pub list: bool,
+}
+
+/// File formats that pictures are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum PictureFormat {
+    /// 8 bits a channel, sRGB
+    Png,
+    /// 16 bits a channel, sRGB
+    Png16,
+    /// OpenEXR, linear 32-bit floats
+    Exr,
+    /// Radiance HDR, linear, 8 bits and a shared exponent
+    Hdr,
+}
+
+impl Flags {
+    /// The quality asked for, or draft.
+    pub fn quality(&self) -> Quality {
+        self.quality.unwrap_or_default()
+    }
+
+    /// The seed asked for, or 0.
+    pub fn seed(&self) -> u64 {
+        self.seed.unwrap_or(0)
+    }
+
+    /// The folder asked for, or `out`.
+    pub fn out(&self) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| PathBuf::from("out"))
+    }
+
+    /// The flags that decide what is computed, as they would be typed: without `--out`, `--threads`,
+    /// `--quiet`, which change nothing in the result.
+    pub fn canonical(&self) -> String {
+        let mut out = String::new();
+        let mut add = |name: &str, value: Option<String>| {
+            if let Some(value) = value {
+                out += &format!(" --{name} {value}");
+            }
+        };
+        add("quality", self.quality.map(|q| q.name().to_string()));
+        add("seed", self.seed.map(|n| n.to_string()));
+        add("width", self.width.map(|n| n.to_string()));
+        add("height", self.height.map(|n| n.to_string()));
+        add("spp", self.spp.map(|n| n.to_string()));
+        add("only", self.only.clone());
+        let format = |f: PictureFormat| f.to_possible_value().map(|v| v.get_name().to_string());
+        add("format", self.format.and_then(format));
+        out
+    }
+}

@@ -1,0 +1,332 @@
+//! From blocks to a scene: the only file that knows what becomes of each block.
+
+use super::blocks::{MOST_CELLS, MOST_PIXELS};
+use super::diagnostic::{Diagnostic, Severity, Span};
+use super::format::{Role, State};
+use super::parse::{Block, Parsed};
+use super::{Settings, declared, pending};
+use crate::color::Rgb;
+use crate::frame::rotation_about;
+use crate::light::{AreaLight, Falloff, Light, Placement, PointLight};
+use crate::scene::{Camera, CameraError, FieldOfView, Material, Object, Scene};
+use crate::shape::cuboid::Cuboid;
+use crate::shape::instance::Instance;
+use crate::shape::sphere::Sphere;
+use crate::shape::{Shape, ShapeError};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+use std::collections::HashMap;
+
+/// The scene, unless something is missing or wrong; what, is added to the log.
+pub fn build(source: &str, parsed: &Parsed, log: &mut Vec<Diagnostic>) -> Option<(Scene, Settings)> {
+    let blocks = &parsed.blocks;
+    declared::check(blocks, log);
+    let settings_block = last(blocks, Role::Settings, log);
+    let camera_block = last(blocks, Role::Camera, log);
+    let settings = settings_block.map_or(Settings::default(), |b| settings(b, log));
+    let camera = camera_block.and_then(|b| camera(b, log));
+    let materials: Vec<_> = of(blocks, Role::is_material).map(|b| (b, material(b))).collect();
+    let objects = objects(blocks, &materials, log);
+    let lights: Vec<_> = of(blocks, |r| r == Role::Light).filter_map(|b| light(b, log)).collect();
+    missing(source, parsed, log);
+    let mut scene = Scene::new(camera?);
+    if let Some(block) = settings_block {
+        scene.background = DVec3::from(block.numbers("BackgroundColor"));
+        scene.ambient = DVec3::from(block.numbers("AmbientLight"));
+    }
+    let remark = log.iter().all(|d| d.severity != Severity::Error); // what is wrong comes first
+    log.extend(pending::note(&settings, settings_block, &materials).filter(|_| remark));
+    scene.materials = materials.into_iter().map(|(_, m)| m).collect();
+    scene.objects = objects;
+    scene.lights = lights;
+    log.extend(darkness(&scene, blocks).filter(|_| remark));
+    Some((scene, settings))
+}
+
+/// The blocks of a role, in the file's order.
+fn of(blocks: &[Block], wanted: impl Fn(Role) -> bool) -> impl Iterator<Item = &Block> {
+    blocks.iter().filter(move |b| wanted(b.rule.role))
+}
+
+/// The last block of a role; a warning for each before it.
+fn last<'a>(blocks: &'a [Block], role: Role, log: &mut Vec<Diagnostic>) -> Option<&'a Block> {
+    let last = of(blocks, |r| r == role).last()?;
+    for earlier in of(blocks, |r| r == role).filter(|b| b.keyword != last.keyword) {
+        let message = format!(
+            "`{}` in line {} has no effect: the one in line {} replaces it",
+            earlier.rule.name, earlier.line, last.line
+        );
+        log.push(
+            Diagnostic::warning(earlier.keyword.clone(), message)
+                .related(last.keyword.clone(), "this one counts"),
+        );
+    }
+    Some(last)
+}
+
+/// What a scene cannot do without.
+fn missing(source: &str, parsed: &Parsed, log: &mut Vec<Diagnostic>) {
+    if parsed.lost > 0 {
+        return; // it may stand in what could not be understood
+    }
+    let end = source.trim_end().len();
+    let end = end..source[end..].chars().next().map_or(end, |c| end + c.len_utf8());
+    if parsed.blocks.is_empty() {
+        let d = Diagnostic::error(end, "this file holds no scene");
+        log.push(d.expected("blocks: a `Camera`, and at least one object, such as a `Sphere`"));
+        return;
+    }
+    for (role, what, example) in [
+        (Role::Camera, "camera", "`Camera { POV 0 1 5  POI 0 0 0 }`"),
+        (Role::Object, "object", "`Sphere { Material …  Radius 1 }`"),
+    ] {
+        if of(&parsed.blocks, |r| r == role).next().is_none() {
+            let d = Diagnostic::error(end.clone(), format!("the scene has no {what}"));
+            log.push(
+                d.expected(format!("a {what} before the end of the file")).help(format!("such as {example}")),
+            );
+        }
+    }
+}
+
+/// A warning if nothing shines on anything.
+fn darkness(scene: &Scene, blocks: &[Block]) -> Option<Diagnostic> {
+    let shines = |m: &Material| m.emissive != Rgb::ZERO;
+    if !scene.lights.is_empty() || scene.ambient != Rgb::ZERO || scene.materials.iter().any(shines) {
+        return None;
+    }
+    let first = of(blocks, |r| r == Role::Object).next()?;
+    let d = Diagnostic::warning(first.keyword.clone(), "nothing is lit: the scene has no light");
+    Some(d.help("add a `PointLight` or an `AreaLight`"))
+}
+
+fn natural(n: i64) -> u32 {
+    u32::try_from(n).unwrap_or(0) // the table keeps it in range
+}
+
+fn settings(block: &Block, log: &mut Vec<Diagnostic>) -> Settings {
+    let one = |name: &str| natural(block.integers::<1>(name)[0]);
+    let mut settings = Settings {
+        width: one("RenderWidth"),
+        height: one("RenderHeight"),
+        samples: Settings::default().samples,
+        reflection_quality: one("ReflectionQuality"),
+        reflection_steps: one("ReflectionSteps"),
+        indirect_quality: one("IndirectQuality"),
+        color_bleeding: block.numbers::<1>("ColorBleeding")[0],
+    };
+    match block.integers("Antialiasing") {
+        [n @ (1 | 4 | 16)] => settings.samples = natural(n),
+        [n] => {
+            let message = format!("`Antialiasing {n}` is read as {}, the default", settings.samples);
+            log.push(
+                Diagnostic::warning(block.span("Antialiasing"), message)
+                    .expected("1, 4 or 16")
+                    .found(format!("`{n}`")),
+            );
+        }
+    }
+    let pixels = u64::from(settings.width) * u64::from(settings.height);
+    if pixels > MOST_PIXELS {
+        let message = format!("the picture has {pixels} pixels");
+        log.push(
+            Diagnostic::error(block.span(later(block, "RenderWidth", "RenderHeight")), message)
+                .expected(format!("at most {MOST_PIXELS}"))
+                .found(format!("{} × {}", settings.width, settings.height)),
+        );
+    }
+    settings
+}
+
+/// Of two parameters, the one that stands further down.
+fn later<'n>(block: &Block, a: &'n str, b: &'n str) -> &'n str {
+    let at = |name| block.entry(name).map_or(0, |e: &super::parse::Entry| e.keyword.start);
+    if at(a) > at(b) { a } else { b }
+}
+
+fn camera(block: &Block, log: &mut Vec<Diagnostic>) -> Option<Camera> {
+    if block.is_broken() {
+        return None;
+    }
+    let [fov] = block.numbers("FOV");
+    let [position, target, up] = ["POV", "POI", "Up"].map(|name| DVec3::from(block.numbers(name)));
+    match Camera::new(position, target, up, FieldOfView::Vertical(fov.to_radians())) {
+        Ok(camera) => Some(camera),
+        Err(error) => {
+            let d = match error {
+                CameraError::FieldOfView(_) => Diagnostic::error(block.span("FOV"), error.to_string()),
+                CameraError::Frame(_) => Diagnostic::error(
+                    block.span(later(block, "POV", "POI")),
+                    "`POV` and `POI` are the same point",
+                )
+                .expected("two points: where the camera stands, and where it looks")
+                .found(format!("{} twice", point(position))),
+            };
+            log.push(d);
+            None
+        }
+    }
+}
+
+fn point(p: DVec3) -> String {
+    format!("({}, {}, {})", p.x, p.y, p.z)
+}
+
+impl Role {
+    fn is_material(self) -> bool {
+        self == Role::Named(super::format::Names::Material)
+    }
+}
+
+fn material(block: &Block) -> Material {
+    let color = |name: &str| DVec3::from(block.numbers(name));
+    let one = |name: &str| block.numbers::<1>(name)[0];
+    Material {
+        name: block.word("Name").unwrap_or_default().to_owned(),
+        diffuse: color("DiffuseColor"),
+        specular: color("SpecularColor"),
+        emissive: color("EmissiveColor"),
+        roughness: one("Roughness"),
+        opacity: one("Opacity"),
+        ior: one("RefractionIndex"),
+        reflection_angle: one("ReflectionAngle").to_radians(),
+        reflection_amount: one("ReflectionAmount"),
+    }
+}
+
+fn objects(blocks: &[Block], materials: &[(&Block, Material)], log: &mut Vec<Diagnostic>) -> Vec<Object> {
+    let index: HashMap<&str, usize> =
+        materials.iter().enumerate().rev().map(|(i, (_, m))| (m.name.as_str(), i)).collect();
+    let mut objects = Vec::new();
+    for block in of(blocks, |r| r == Role::Object) {
+        let material = block.word("Material").and_then(|name| index.get(name));
+        if block.is_broken() || block.rule.state == State::Planned {
+            continue;
+        }
+        match (shape(block), material) {
+            (Ok(shape), Some(&material)) => {
+                objects.push(Object::new(
+                    format!("{} (line {})", block.rule.name, block.line),
+                    shape,
+                    material,
+                ));
+            }
+            (Ok(_), None) => {} // reported where the material is named
+            (Err((span, error)), _) => {
+                log.push(Diagnostic::error(span, format!("this is no {}: {error}", block.rule.name)));
+            }
+        }
+    }
+    objects
+}
+
+type ShapeOrPlace = Result<Box<dyn Shape>, (Span, ShapeError)>;
+
+/// The shape of an object's block, or what is wrong with it and where.
+fn shape(block: &Block) -> ShapeOrPlace {
+    let at_keyword = |error| (block.keyword.clone(), error);
+    match block.rule.name {
+        "Sphere" => {
+            let (center, [radius]) = (DVec3::from(block.numbers("Center")), block.numbers("Radius"));
+            Ok(Box::new(Sphere::new(center, radius).map_err(at_keyword)?))
+        }
+        "Box" => transformed_box(transformation(block)).map_err(at_keyword),
+        _ => Err(at_keyword(ShapeError::Degenerate { what: "block", why: "nothing is built from it" })),
+    }
+}
+
+/// All transformations of a block, in written order.
+fn transformation(block: &Block) -> DAffine3 {
+    let mut map = DAffine3::IDENTITY;
+    for entry in &block.entries {
+        let Some(value) = &entry.value else { continue };
+        let step = match (entry.param.name, value.numbers()) {
+            ("Translation", &[x, y, z]) => DAffine3::from_translation(DVec3::new(x, y, z)),
+            ("Scale", &[x, y, z]) => DAffine3::from_scale(DVec3::new(x, y, z)),
+            ("Rotation", &[x, y, z, angle]) => {
+                let turn = rotation_about(DVec3::new(x, y, z), angle).unwrap_or(DMat3::IDENTITY);
+                DAffine3::from_mat3(turn)
+            }
+            _ => continue,
+        };
+        map = step * map;
+    }
+    map
+}
+
+/// The cube of edge 1 about the origin under a map: a plain box if its edges stay along the axes.
+fn transformed_box(map: DAffine3) -> Result<Box<dyn Shape>, ShapeError> {
+    let half = DVec3::splat(0.5);
+    let m = map.matrix3;
+    let diagonal = DVec3::new(m.x_axis.x, m.y_axis.y, m.z_axis.z);
+    if m == DMat3::from_diagonal(diagonal) {
+        let reach = (diagonal * half).abs();
+        return Ok(Box::new(Cuboid::new(map.translation - reach, map.translation + reach)?));
+    }
+    Ok(Box::new(Instance::new(Box::new(Cuboid::new(-half, half)?), map)?))
+}
+
+fn light(block: &Block, log: &mut Vec<Diagnostic>) -> Option<Light> {
+    let (radiometric, whose) = match block.rule.name {
+        "PointLight" => ("Intensity", "PointLight"),
+        _ => ("Radiance", "AreaLight"),
+    };
+    if let (Some(color), Some(other)) = (block.entry("Color"), block.entry(radiometric)) {
+        let (first, second) =
+            if color.keyword.start < other.keyword.start { (color, other) } else { (other, color) };
+        let message = format!("`{whose}` has both `Color` and `{radiometric}`");
+        log.push(
+            Diagnostic::error(second.keyword.clone(), message)
+                .expected("one of them")
+                .related(first.keyword.clone(), "the other is given here"),
+        );
+        return None;
+    }
+    if block.is_broken() || block.rule.state == State::Planned {
+        return None;
+    }
+    let (power, falloff) = match block.entry(radiometric) {
+        Some(_) => (DVec3::from(block.numbers(radiometric)), Falloff::InverseSquare),
+        None => (DVec3::from(block.numbers("Color")), Falloff::None),
+    };
+    match block.rule.name {
+        "PointLight" => Some(Light::Point(PointLight {
+            position: DVec3::from(block.numbers("Position")),
+            power,
+            falloff,
+        })),
+        _ => area_light(block, power, falloff, log).map(Light::Area),
+    }
+}
+
+fn area_light(block: &Block, power: Rgb, falloff: Falloff, log: &mut Vec<Diagnostic>) -> Option<AreaLight> {
+    let [columns, rows] = block.integers("Subdivision").map(natural);
+    let cells = u64::from(columns) * u64::from(rows);
+    if cells > MOST_CELLS {
+        let d = Diagnostic::error(block.span("Subdivision"), format!("the light has {cells} cells"));
+        log.push(d.expected(format!("at most {MOST_CELLS}")).found(format!("{columns} × {rows}")));
+        return None;
+    }
+    let placement = match block.word("Placement") {
+        Some("jittered") => Placement::Jittered,
+        _ => Placement::Grid,
+    };
+    let [width] = block.numbers("Width");
+    let [height] = block.numbers("Height");
+    let [roll] = block.numbers("RollAngle");
+    let [center, direction] = ["Position", "Direction"].map(|name| DVec3::from(block.numbers(name)));
+    match AreaLight::new(center, direction, roll, DVec2::new(width, height), power, falloff) {
+        Ok(light) => Some(light.subdivided(columns, rows, placement)),
+        Err(error) => {
+            log.push(Diagnostic::error(block.keyword.clone(), error.to_string()));
+            None
+        }
+    }
+}
+
+/// Shadow rays from one hit to a light.
+pub fn shadow_rays(light: &Light) -> u64 {
+    match light {
+        Light::Point(_) => 1,
+        Light::Area(light) => u64::from(light.cells()),
+    }
+}

@@ -1,0 +1,116 @@
+//! Frames, rotations, normals, cameras.
+
+use glam::{DMat3, DVec2, DVec3};
+use lightbench::frame::{Frame, rotation_about, transform_normal, unit};
+use lightbench::num::gamma;
+use lightbench::scene::{
+    Camera, FieldOfView, camera_from_screen, ndc_from_raster, obscura_from_camera, screen_from_ndc,
+};
+use proptest::prelude::*;
+
+fn vector() -> impl Strategy<Value = DVec3> {
+    let axis = prop_oneof![-1.0..1.0f64, Just(0.0), Just(-0.0), Just(1.0e-150), Just(1.0e150), Just(-1.0)];
+    (axis.clone(), axis.clone(), axis).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+}
+
+fn is_orthonormal(frame: &Frame) -> bool {
+    let (r, u, f) = (frame.right, frame.up, frame.forward);
+    // Each vector is normalised by its length (5 roundings), and products of two such add 3 more.
+    let close = |x: f64, to: f64| (x - to).abs() <= gamma(16);
+    // Two unit vectors whose angle is θ give a cross product known to u/sin θ; look_at guards sin θ > 1e-8,
+    // but both crosses are renormalised, so that perpendicularity itself holds to rounding.
+    close(r.length(), 1.0)
+        && close(u.length(), 1.0)
+        && close(f.length(), 1.0)
+        && r.dot(u).abs() <= gamma(16)
+        && u.dot(f).abs() <= gamma(16)
+        && (r.cross(u) + f).length() <= 1e-7
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn look_at_is_orthonormal_whatever_up_is(eye in vector(), target in vector(), up in vector()) {
+        if let Ok(frame) = Frame::look_at(eye, target, up) {
+            prop_assert!(is_orthonormal(&frame), "{frame:?}");
+        } else {
+            prop_assert!(eye == target || (target * 0.5 - eye * 0.5) == DVec3::ZERO);
+        }
+    }
+
+    #[test]
+    fn frames_around_any_direction_are_orthonormal(v in vector()) {
+        if let Some(forward) = unit(v) {
+            prop_assert!(is_orthonormal(&Frame::around(forward)));
+        }
+    }
+
+    #[test]
+    fn rotations_keep_lengths_and_their_axis(axis in vector(), angle in -1.0e3..1.0e3f64, v in vector()) {
+        if let (Some(m), Some(v), Some(a)) = (rotation_about(axis, angle), unit(v), unit(axis)) {
+            prop_assert!(((m * v).length() - 1.0).abs() <= gamma(40)); // 8 u an entry, three entries a sum
+            prop_assert!((m * a - a).length() <= gamma(40));
+        }
+    }
+
+    #[test]
+    fn transformed_normals_stay_perpendicular(
+        x in vector(), y in vector(), z in vector(), n in vector(), side in vector(),
+    ) {
+        let m = DMat3::from_cols(x, y, z);
+        let (Some(n), Some(side)) = (unit(n), unit(side)) else { return Ok(()) };
+        let tangent = side - n * side.dot(n);
+        let size = x.length().max(y.length()).max(z.length());
+        // A map that flattens by more than 1e-3 magnifies the rounding of t·n; others stay within 1e-11.
+        let well_conditioned = m.determinant().abs() > 1e-3 * size.powi(3) && size < 1e100 && size > 1e-100;
+        if let (true, Some(mapped)) = (well_conditioned, transform_normal(&m, n)) {
+            let moved = m * tangent / size;
+            prop_assert!(mapped.dot(moved).abs() <= 1e-11, "{}", mapped.dot(moved));
+        }
+    }
+}
+
+#[test]
+fn up_parallel_to_the_view_still_gives_a_frame() {
+    for up in [DVec3::Y, DVec3::NEG_Y, DVec3::ZERO, DVec3::new(1e-12, 1.0, 0.0)] {
+        let frame = Frame::look_at(DVec3::ZERO, DVec3::NEG_Y * 3.0, up).expect("a frame");
+        assert!(is_orthonormal(&frame));
+    }
+}
+
+#[test]
+fn rotations_by_right_angles_turn_counter_clockwise() {
+    let m = rotation_about(DVec3::Z * 7.0, std::f64::consts::FRAC_PI_2).expect("an axis");
+    // cos(π/2) as f64 is 6e-17, hence a rounding's worth of slack.
+    assert!((m * DVec3::X - DVec3::Y).length() <= gamma(8));
+}
+
+/// The example of [B §5.2]: 7 × 5 pixels, 90° upwards, the image plane at distance 1.
+#[test]
+fn the_camera_chain_maps_the_corners_of_b_s_picture() {
+    let size = DVec2::new(7.0, 5.0);
+    let fov = FieldOfView::Vertical(std::f64::consts::FRAC_PI_2);
+    let screen = |raster| screen_from_ndc(ndc_from_raster(raster, size), 7.0 / 5.0, fov);
+    assert!((screen(DVec2::ZERO) - DVec2::new(-1.4, 1.0)).length() <= gamma(8));
+    assert!((screen(size) - DVec2::new(1.4, -1.0)).length() <= gamma(8));
+    assert!((camera_from_screen(screen(size * 0.5)) - DVec3::NEG_Z).length() <= gamma(8));
+}
+
+#[test]
+fn the_camera_obscura_inverts_both_axes() {
+    let film = obscura_from_camera(DVec3::new(2.0, 3.0, -4.0), 1.0).expect("in front of the hole");
+    assert_eq!(film, DVec2::new(-0.5, -0.75));
+    assert_eq!(obscura_from_camera(DVec3::new(0.0, 0.0, 1.0), 1.0), None);
+}
+
+#[test]
+fn impossible_cameras_are_refused() {
+    let angle = |degrees: f64| FieldOfView::Vertical(degrees.to_radians());
+    let camera = |target, degrees| Camera::new(DVec3::ZERO, target, DVec3::Y, angle(degrees));
+    assert!(camera(DVec3::NEG_Z, 45.0).is_ok());
+    assert!(camera(DVec3::ZERO, 45.0).is_err());
+    for degrees in [0.0, -1.0, 180.0, 360.0, f64::NAN, f64::INFINITY] {
+        assert!(camera(DVec3::NEG_Z, degrees).is_err(), "{degrees}");
+    }
+}
