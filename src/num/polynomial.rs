@@ -213,6 +213,7 @@ pub(crate) fn middle<R: Real>(lo: R, hi: R) -> R {
 /// - Accuracy: of the exact polynomial with these `f64` coefficients, each root to 2 u relative, as long as
 ///   its condition number stays below `10²⁵`. A multiple root counts once; roots count as one where the polynomial between them stays below
 ///   `2⁻⁹⁵` of its terms.
+///   Roots beyond `f64::MAX` are not listed.
 /// - NaN: NaN or infinite coefficients give no roots.
 pub fn real_roots(c: [f64; 5]) -> ArrayVec<f64, 4> {
     let mut out = ArrayVec::new();
@@ -228,6 +229,7 @@ pub fn real_roots(c: [f64; 5]) -> ArrayVec<f64, 4> {
     for piece in Piece::all(&reduced) {
         piece.roots(&reduced, &mut out);
     }
+    out.retain(|x| x.is_finite());
     out.sort_unstable_by(f64::total_cmp);
     out
 }
@@ -327,8 +329,18 @@ pub(crate) fn exponent(x: f64) -> i32 {
     if biased > 0 { biased - 1023 } else { exponent(x * 2f64.powi(64)) - 64 }
 }
 
-/// `x 2ⁿ`, in steps that neither overflow nor underflow before the result does.
-pub(crate) fn times_power_of_two(mut x: f64, mut n: i32) -> f64 {
+/// `x 2ⁿ`, exact unless the result is subnormal or overflows.
+#[inline]
+pub(crate) fn times_power_of_two(x: f64, n: i32) -> f64 {
+    if (-1022..=1023).contains(&n) {
+        return x * f64::from_bits(((n + 1023) as u64) << 52);
+    }
+    times_extreme_power_of_two(x, n)
+}
+
+/// In steps that neither overflow nor underflow before the result does.
+#[cold]
+fn times_extreme_power_of_two(mut x: f64, mut n: i32) -> f64 {
     while n > 1000 && x != 0.0 && x.is_finite() {
         x *= 2f64.powi(1000);
         n -= 1000;

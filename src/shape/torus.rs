@@ -129,9 +129,9 @@ type Meetings = ArrayVec<Meeting, 4>;
 impl Torus {
     /// A torus with ring radius `ring` (`a`) and tube radius `tube` (`b`).
     ///
-    /// - Domain: `a > b > 0`, finite; else [`NotARing`]: without a hole the surface would meet itself.
+    /// - Domain: `a > b > 0`, `a + b` finite; else [`NotARing`]: without a hole the surface would meet itself.
     pub fn new(ring: f64, tube: f64) -> Result<Self, NotARing> {
-        if !(ring > tube && tube > 0.0 && ring.is_finite()) {
+        if !(ring > tube && tube > 0.0 && (ring + tube).is_finite()) {
             return Err(NotARing { ring, tube });
         }
         let unit = exponent(ring);
@@ -174,9 +174,9 @@ impl Torus {
         Line::new(&self.scaled, self.unit, ray)
     }
 
-    /// Angle coordinates and frame at the surface point nearest to `p`.
-    fn frame(&self, p: DVec3) -> Frame {
-        let p = p * times_power_of_two(1.0, -self.unit);
+    /// Directions at the surface point nearest to the ray's point at `t`.
+    fn frame(&self, ray: &Ray, t: f64) -> Frame {
+        let p = line::point(self.unit, ray, t);
         let rho = p.x.hypot(p.y);
         let around = if rho > 0.0 { DVec2::new(p.x, p.y) / rho } else { DVec2::X };
         let out = DVec2::new(rho - self.scaled.a, p.z);
@@ -225,7 +225,7 @@ impl Shape for Torus {
     ///   as many in the one around the tube, of which a length error of 3 u moves the point by 3 u b; three
     ///   more in `a + b·out` and its product.
     fn hit(&self, ray: &Ray, crossing: &Crossing) -> Hit {
-        let Frame { around, out } = self.frame(ray.at(crossing.t));
+        let Frame { around, out } = self.frame(ray, crossing.t);
         let reach = self.ring + self.tube * out.x;
         let n = DVec3::new(around.x * out.x, around.y * out.x, out.y);
         Hit {
@@ -270,7 +270,7 @@ impl Solid for Torus {
 
     /// - Accuracy: decided in double-double; exact but for points within `2⁻⁹⁵` of the tube's radius in relative terms.
     fn contains(&self, p: DVec3) -> bool {
-        let p = p * times_power_of_two(1.0, -self.unit);
+        let p = line::scaled(p, -self.unit);
         let reach = 4.0; // a + b < 4 in the torus's unit
         p.abs().cmple(DVec3::splat(reach)).all() && self.scaled.quartic(p.to_array().map(Dd::new)).hi <= 0.0
     }

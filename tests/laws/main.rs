@@ -5,4 +5,6 @@ mod film;
 mod film_files;
 mod frame;
 mod local;
+mod num;
 mod scene_file;
+mod torus;

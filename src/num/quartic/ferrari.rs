@@ -42,19 +42,25 @@ fn factors(p: f64, q: f64, r: f64, m: f64, e: f64) -> (f64, f64) {
         return (0.5 * p - d, 0.5 * p + d);
     }
     let (sum, difference) = (0.5 * (p + m), 0.5 * q / e);
-    let large = sum + difference.abs().copysign(sum);
-    let small = if large == 0.0 { 0.0 } else { r / large };
-    if (sum > 0.0) == (difference > 0.0) { (small, large) } else { (large, small) }
+    let (f, g) = (sum - difference, sum + difference);
+    if f.abs() < g.abs() {
+        (r / g, g)
+    } else if f == 0.0 {
+        (0.0, g)
+    } else {
+        (f, r / f)
+    }
 }
 
+/// Newton's steps while the residual falls.
 fn newton(c: [f64; 4], mut x: f64) -> f64 {
+    let value = |x: f64| (((x + c[3]) * x + c[2]) * x + c[1]) * x + c[0];
+    let mut f = value(x);
     for _ in 0..2 {
-        let f = (((x + c[3]) * x + c[2]) * x + c[1]) * x + c[0];
-        let df = ((4.0 * x + 3.0 * c[3]) * x + 2.0 * c[2]) * x + c[1];
-        let step = f / df;
-        // Beside a double root the quotient is noise: a step may polish, not travel.
-        if step.abs() <= 1.0 / 1024.0 * x.abs() {
-            x -= step;
+        let next = x - f / (((4.0 * x + 3.0 * c[3]) * x + 2.0 * c[2]) * x + c[1]);
+        let f_next = value(next);
+        if f_next.abs() < f.abs() {
+            (x, f) = (next, f_next);
         }
     }
     x

@@ -18,7 +18,8 @@ use arrayvec::ArrayVec;
 ///
 /// - Domain: finite; scaled by a power of two first.
 /// - Accuracy: 2 u relative for simple roots, one spacing of `f64` for multiple ones; remainders lose about
-///   twice the digits that the discriminant does, so that pairs closer than about `10⁻¹²` merge.
+///   twice the digits that the discriminant does, so that close pairs merge long before their roots agree in
+///   `f64`, and roots below about `10⁻³⁰` of the largest are lost.
 /// - NaN: NaN or infinite coefficients give no roots.
 /// - Source: Sturm (1829); as a graphics algorithm: Hook & McAree, Graphics Gems (1990).
 pub fn sturm(a3: f64, a2: f64, a1: f64, a0: f64) -> Roots {
@@ -102,13 +103,13 @@ fn search(
         return;
     }
     let m = middle(lo, hi);
-    if m <= lo || m >= hi {
-        // The ends are neighbours: what is left is one number.
+    let sign = |x: f64| chain[0].eval(Dd::new(x)).0.hi;
+    let (f_lo, f_hi) = (sign(lo), sign(hi));
+    if m <= lo || m >= hi || (roots == 1 && f_hi == 0.0) {
+        // The ends are neighbours, or the root is found.
         out.push(hi);
         return;
     }
-    let sign = |x: f64| chain[0].eval(Dd::new(x)).0.hi;
-    let (f_lo, f_hi) = (sign(lo), sign(hi));
     if roots == 1 && f_lo * f_hi < 0.0 {
         let before = if f_lo > 0.0 { 1 } else { -1 };
         let bracket = Bracket { lo, hi, before, after: -before };

@@ -54,14 +54,16 @@ fn signed(roots: Roots, inside: impl Fn(f64) -> bool) -> impl Iterator<Item = Me
     roots.into_iter().enumerate().map(move |(i, t)| Meeting { t, before: signs[i], after: signs[i + 1] })
 }
 
+/// Tuned: with 2000 steps a depth of `10⁻⁶ b` is resolved, and a ray that is lost costs some 50 µs.
+const STEPS: usize = 2000;
+
 /// Steps of the exact distance through the bounding sphere; each change of its sign is bisected.
 ///
-/// A step never passes the surface, only approaches it: within rounding of the surface the
-/// step is that rounding, `γ₈` of the size of the torus, and so walks through. A grazing line asks for thousands of
-/// steps; after 2000 of them the search ends with what it has (tuned: 500 lose one near-tangent ray in a hundred,
-/// 20 000 cost ten times as much on them for a tenth of the losses).
+/// A step never passes the surface, only approaches it: within rounding of the surface the step is that
+/// rounding, `γ₈` of the size of the torus, and so walks through. A line that grazes at depth `g` asks for
+/// about `√(b/g)` steps beside the surface, and a touch for as many as there are roundings; after
+/// [`STEPS`] the search ends with what it has.
 pub(super) fn marching(line: &Line) -> Meetings {
-    const STEPS: usize = 2000;
     let speed = line.d2.sqrt();
     let least = crate::num::gamma(8) * (line.torus.a + line.torus.b) / speed;
     let end = line.reach() + least;

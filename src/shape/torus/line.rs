@@ -248,6 +248,13 @@ impl<'a> Line<'a> {
     }
 }
 
-fn scaled(v: DVec3, n: i32) -> DVec3 {
+/// The ray's point at `t`, in the torus's unit; the direction is brought near 1 first, so that `t d` does not overflow.
+pub(super) fn point(unit: i32, ray: &Ray, t: f64) -> DVec3 {
+    let length = exponent(ray.direction.abs().max_element());
+    scaled(ray.origin, -unit) + scaled(ray.direction, -length) * times_power_of_two(t, length - unit)
+}
+
+/// Times a power of two.
+pub(super) fn scaled(v: DVec3, n: i32) -> DVec3 {
     DVec3::new(times_power_of_two(v.x, n), times_power_of_two(v.y, n), times_power_of_two(v.z, n))
 }
