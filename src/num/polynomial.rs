@@ -150,7 +150,8 @@ fn near_roots_of_quadratic<R: Real>(p: &Polynomial<R>) -> ArrayVec<R, 2> {
     out
 }
 
-/// The root in a bracket, to the rounding of `R`: Newton's steps, bisection where they do not halve the bracket.
+/// The root in a bracket, to the rounding of `R`: Newton's steps, bisection where they do not halve the
+/// bracket.
 pub fn refine<R: Real>(p: &Polynomial<R>, bracket: &Bracket<R>) -> R {
     let (mut lo, mut hi) = (bracket.lo, bracket.hi);
     if lo == hi {
@@ -191,7 +192,8 @@ fn f_over_slope<R: Real>(f: R, df: R, x: R, lo: R, hi: R) -> R {
     if next >= lo && next <= hi { step } else { R::ZERO }
 }
 
-/// A point between: the mean, or where the numbers differ by orders of magnitude, the middle of their bit patterns.
+/// A point between: the mean, or where the numbers differ by orders of magnitude, the middle of their
+/// bit patterns.
 pub(crate) fn middle<R: Real>(lo: R, hi: R) -> R {
     let (a, b) = (lo.to_f64(), hi.to_f64());
     if a < 0.0 && b > 0.0 {
@@ -211,9 +213,8 @@ pub(crate) fn middle<R: Real>(lo: R, hi: R) -> R {
 ///
 /// - Domain: finite coefficients; leading zeros lower the degree, the zero polynomial has no list.
 /// - Accuracy: of the exact polynomial with these `f64` coefficients, each root to 2 u relative, as long as
-///   its condition number stays below `10²⁵`. A multiple root counts once; roots count as one where the polynomial between them stays below
-///   `2⁻⁹⁵` of its terms.
-///   Roots beyond `f64::MAX` are not listed.
+///   its condition number stays below `2⁴⁶` (the residual is known to `2⁻⁹⁹` of its terms). A multiple root counts once; roots count as one where the
+///   polynomial between them stays below `2⁻⁹⁵` of its terms. Roots beyond `f64::MAX` are not listed.
 /// - NaN: NaN or infinite coefficients give no roots.
 pub fn real_roots(c: [f64; 5]) -> ArrayVec<f64, 4> {
     let mut out = ArrayVec::new();
@@ -236,8 +237,8 @@ pub fn real_roots(c: [f64; 5]) -> ArrayVec<f64, 4> {
 
 /// The roots of some order of magnitude: with `x = 2ᵏ y`, those with `2^low ≤ |y| ≤ 16`.
 ///
-/// The upper convex hull of the points `(k, log₂|c[k]|)`, Newton's polygon, tells the magnitudes of all the roots
-/// within a small factor. Edges closer than 64 bits share a piece.
+/// The upper convex hull of the points `(k, log₂|c[k]|)`, Newton's polygon, tells the magnitudes of all
+/// the roots within a small factor. Edges closer than 64 bits share a piece.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     shift: i32,
@@ -289,7 +290,8 @@ impl Piece {
     }
 }
 
-/// Roots in `[lo, hi]` of a polynomial with moderate exponents: in `f64` if that can decide, else in double-double.
+/// Roots in `[lo, hi]` of a polynomial with moderate exponents: in `f64` if that can decide, else in
+/// double-double.
 pub(super) fn roots_between(c: [f64; 5], lo: f64, hi: f64) -> ArrayVec<f64, 4> {
     let p = Polynomial::new(c);
     let found = isolate(&p, lo, hi, DOUBT);

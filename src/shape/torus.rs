@@ -1,4 +1,5 @@
-//! The torus: a circle of radius `b` (the tube) swept around a circle of radius `a` (the ring), about the z axis.
+//! The torus: a circle of radius `b` (the tube) swept around a circle of radius `a` (the ring), about
+//! the z axis.
 //!
 //! ```text
 //! (ρ − a)² + z² = b²,    ρ = √(x² + y²)                              (1) distance form
@@ -28,7 +29,8 @@ use std::f64::consts::TAU;
 /// How a torus finds the roots of its quartic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum TorusMethod {
-    /// Moved to the closest approach; brackets with certified signs, else double-double; polished on the surface.
+    /// Moved to the closest approach; brackets with certified signs, else double-double; polished on the
+    /// surface.
     #[default]
     Adaptive,
     /// The quartic expanded at the ray's origin, solved by the historical solver, as the document prints it.
@@ -221,9 +223,9 @@ impl Shape for Torus {
 
     /// The point is put back on the surface: along the ray, rounding grows with the distance; here it does not.
     ///
-    /// - Accuracy: `point_error` = γ₁₂ (a + b): six roundings in the unit vector around the axis (its length errs by 3),
-    ///   as many in the one around the tube, of which a length error of 3 u moves the point by 3 u b; three
-    ///   more in `a + b·out` and its product.
+    /// - Accuracy: `point_error` = γ₁₂ (a + b): six roundings in the unit vector around the axis (its
+    ///   length errs by 3), as many in the one around the tube, of which a length error of 3 u moves the
+    ///   point by 3 u b; three more in `a + b·out` and its product.
     fn hit(&self, ray: &Ray, crossing: &Crossing) -> Hit {
         let Frame { around, out } = self.frame(ray, crossing.t);
         let reach = self.ring + self.tube * out.x;
@@ -268,7 +270,7 @@ impl Solid for Torus {
         }
     }
 
-    /// - Accuracy: decided in double-double; exact but for points within `2⁻⁹⁵` of the tube's radius in relative terms.
+    /// - Accuracy: decided in double-double: wrong only closer to the surface than `2⁻⁹⁵ a²/b`.
     fn contains(&self, p: DVec3) -> bool {
         let p = line::scaled(p, -self.unit);
         let reach = 4.0; // a + b < 4 in the torus's unit

@@ -91,7 +91,8 @@ proptest! {
         for r in quadratic::real_roots(a, b, c) {
             let (f, df) = value_and_slope(&[a, b, c], r);
             let moved = gamma(5) * r.abs();
-            let allowed = df.abs() * moved + a.abs() * moved * moved + 16.0 * U * U * 3.0 * ((a * r * r).abs() + (b * r).abs() + c.abs());
+            let terms = (a * r * r).abs() + (b * r).abs() + c.abs();
+            let allowed = df.abs() * moved + a.abs() * moved * moved + 16.0 * U * U * 3.0 * terms;
             prop_assert!(f.abs() <= allowed, "residual {f:e} at {r:e}, allowed {allowed:e}");
         }
     }

@@ -67,7 +67,8 @@ fn config() -> ProptestConfig {
 proptest! {
     #![proptest_config(config())]
 
-    /// `o + t d` rounds by γ₂ of its terms, t itself by 2 u, the distance by γ₆ of the point: γ₁₂ of all sizes in all.
+    /// `o + t d` rounds by γ₂ of its terms, t itself by 2 u, the distance by γ₆ of the point: γ₁₂ of all
+    /// sizes in all.
     #[test]
     fn roots_lie_on_the_surface((torus, ray) in torus_and_ray()) {
         for t in crossings(&torus, &ray) {

@@ -2,9 +2,10 @@
 //! are tested in one.
 //!
 //! The tables were computed at 30 digits and more, each checked by a second method; their inputs are exactly
-//! the `f64` printed. `margin` is the smallest relative change of the inputs that changes a discrete answer: rows
-//! under 1e-12 (10⁴ roundings) are decided by the inputs' last digits, and not judged. `cond` is the relative
-//! condition number of a root: a stable method errs by a few `u cond`, and 64 are allowed.
+//! the `f64` printed. `margin` is the smallest relative change of the inputs that changes a discrete
+//! answer: rows under 1e-12 (10⁴ roundings) are decided by the inputs' last digits, and not judged.
+//! `cond` is the relative condition number of a root: a stable method errs by a few `u cond`, and 64
+//! are allowed.
 
 use lightbench::num::U;
 use lightbench::probe;
@@ -146,7 +147,8 @@ pub fn faces(row: &Record, answer: &Record) -> Option<f64> {
     Some(worst)
 }
 
-/// Roots of one sort, each with a condition number; `None` if a cluster leaves even their count to the last bits.
+/// Roots of one sort, each with a condition number; `None` if a cluster leaves even their count to the
+/// last bits.
 fn conditioned(row: &Record, answer: &Record, prefix: &str, from: f64) -> Option<f64> {
     let column = |name: &str, i: usize| format!("{name}{i}");
     let listed = |r: &Record| (0..4).filter_map(|i| r.number(&column(prefix, i))).collect::<Vec<_>>();
@@ -171,8 +173,8 @@ pub fn quartic_roots(row: &Record, answer: &Record) -> Option<f64> {
     row.is_judged().then(|| conditioned(row, answer, "r", f64::NEG_INFINITY)).flatten()
 }
 
-/// Positive roots of a torus, and the normal at the first: a point is known to `64 u (|o| + t)`, the normal to that over
-/// the tube's radius.
+/// Positive roots of a torus, and the normal at the first: a point is known to `64 u (|o| + t)`, the
+/// normal to that over the tube's radius.
 pub fn torus_roots(row: &Record, answer: &Record) -> Option<f64> {
     if !row.is_judged() {
         return None;

@@ -24,7 +24,8 @@ fn is_zero(x: f64) -> bool {
 ///
 /// - Accuracy: none promised: small roots vanish, close pairs appear and disappear.
 /// - NaN: overflow gives no roots.
-/// - Source: Schwarze, *Cubic and Quartic Roots*, Graphics Gems (1990), pp. 404–407 and 738–786; called by [A §5.4.4, ill. 59].
+/// - Source: Schwarze, *Cubic and Quartic Roots*, Graphics Gems (1990), pp. 404–407 and 738–786; called
+///   by [A §5.4.4, ill. 59].
 pub fn graphics_gems_as_printed(a3: f64, a2: f64, a1: f64, a0: f64) -> Roots {
     let sq = a3 * a3;
     let p = -3.0 / 8.0 * sq + a2;

@@ -41,7 +41,8 @@ pub type Solver = fn(f64, f64, f64, f64) -> Roots;
 ///   `10⁻³⁰⁰`, nor both in one quartic, over- or underflow before a root does.
 /// - Accuracy: each root to 2 u relative; a multiple root counts once. See [`polynomial::real_roots`].
 /// - NaN: NaN or infinite coefficients give no roots.
-/// - Source: brackets: Yuksel, HPG (2022); two precisions: in the manner of Shewchuk's adaptive predicates (1997).
+/// - Source: brackets: Yuksel, HPG (2022); two precisions: in the manner of Shewchuk's adaptive
+///   predicates (1997).
 pub fn adaptive(a3: f64, a2: f64, a1: f64, a0: f64) -> Roots {
     polynomial::real_roots([a0, a1, a2, a3, 1.0])
 }
@@ -50,8 +51,8 @@ pub fn adaptive(a3: f64, a2: f64, a1: f64, a0: f64) -> Roots {
 ///
 /// - Domain: finite; scaled by a power of two such that all roots are in `[−4, 4]`; roots below
 ///   `10⁻⁸⁰` of the largest are lost to underflow.
-/// - Accuracy: backward stable for each root; pairs closer than about `√u` relative may be taken for none, and a touch
-///   for a pair or nothing: the sign at the stationary point is rounding.
+/// - Accuracy: backward stable for each root; pairs closer than about `√u` relative may be taken for
+///   none, and a touch for a pair or nothing: the sign at the stationary point is rounding.
 /// - NaN: NaN or infinite coefficients give no roots.
 /// - Source: Yuksel, *High-Performance Polynomial Root Finding for Graphics*, HPG (2022).
 pub fn bracketed(a3: f64, a2: f64, a1: f64, a0: f64) -> Roots {

@@ -6,15 +6,16 @@ use crate::num::polynomial::{Bracket, Polynomial, middle, polish, refine};
 use crate::num::real::Real;
 use arrayvec::ArrayVec;
 
-/// Real roots by Sturm's theorem: the sign changes in the chain at `x` minus those at `y` count the distinct roots in `(x, y]`.
+/// Real roots by Sturm's theorem: the sign changes in the chain at `x` minus those at `y` count the
+/// distinct roots in `(x, y]`.
 ///
 /// ```text
 /// p₀ = p,  p₁ = p′,  p_{k+1} = −(p_{k−1} mod p_k)
 /// ```
 ///
-/// The chain is kept in double-double: its remainders cancel, and in `f64` they lose the count of close pairs. A
-/// remainder within its rounding error is zero, and the chain then ends with the common divisor of
-/// `p` and `p′`: multiple roots count once. Intervals are halved until each holds one root.
+/// The chain is kept in double-double: its remainders cancel, and in `f64` they lose the count of close
+/// pairs. A remainder within its rounding error is zero, and the chain then ends with the common
+/// divisor of `p` and `p′`: multiple roots count once. Intervals are halved until each holds one root.
 ///
 /// - Domain: finite; scaled by a power of two first.
 /// - Accuracy: 2 u relative for simple roots, one spacing of `f64` for multiple ones; remainders lose about
@@ -48,9 +49,11 @@ fn chain(p: &Polynomial<f64>) -> Chain {
     chain
 }
 
-/// `−(a mod b)`, or nothing if that is zero up to rounding. The weights carry the size of all that was added up.
+/// `−(a mod b)`, or nothing if that is zero up to rounding. The weights carry the size of all that was
+/// added up.
 fn negative_remainder(a: &Polynomial<Dd>, b: &Polynomial<Dd>) -> Option<Polynomial<Dd>> {
-    // Four levels of the chain, at most two steps of two operations each, doubled for the errors of both operands.
+    // Four levels of the chain, at most two steps of two operations each, doubled for the errors of both
+    // operands.
     const DOUBT: f64 = 32.0;
     let mut r = *a;
     if b.degree == 0 {

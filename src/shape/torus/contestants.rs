@@ -54,15 +54,17 @@ fn signed(roots: Roots, inside: impl Fn(f64) -> bool) -> impl Iterator<Item = Me
     roots.into_iter().enumerate().map(move |(i, t)| Meeting { t, before: signs[i], after: signs[i + 1] })
 }
 
-/// Tuned: with 2000 steps a depth of `10⁻⁶ b` is resolved, and a ray that is lost costs some 50 µs.
+/// Tuned, for `a = 2`, `b = 0.6`: lines `0.01 b` deep keep both roots, and the first is found down to `10⁻⁷ b`;
+/// what is lost costs 80 µs.
 const STEPS: usize = 2000;
 
 /// Steps of the exact distance through the bounding sphere; each change of its sign is bisected.
 ///
 /// A step never passes the surface, only approaches it: within rounding of the surface the step is that
-/// rounding, `γ₈` of the size of the torus, and so walks through. A line that grazes at depth `g` asks for
-/// about `√(b/g)` steps beside the surface, and a touch for as many as there are roundings; after
-/// [`STEPS`] the search ends with what it has.
+/// rounding, `γ₈` of the size of the torus, and so walks through. Where the line meets the surface at a slope
+/// `sin α`, distances shrink and grow by that share per step: about `36 / sin α` steps to each
+/// side of each root, and `sin α = √(2g/b)` for a line that grazes at depth `g`. After [`STEPS`] the
+/// search ends with what it has.
 pub(super) fn marching(line: &Line) -> Meetings {
     let speed = line.d2.sqrt();
     let least = crate::num::gamma(8) * (line.torus.a + line.torus.b) / speed;

@@ -54,8 +54,8 @@ pub(super) fn first_root(line: &Line, poly: &Polynomial<f64>, half: f64) -> Firs
 
 /// The least root of `t³ − 3t + 2k` for `|k| ≤ 1`, to about `√u`: at a minimum the value does not feel more.
 ///
-/// The start is the tangent at `k = 1` to the root as a function of `k`, which is convex: it lies left of the root, where the cubic is
-/// concave, and Newton's steps approach from that side.
+/// The start is the tangent at `k = 1` to the root as a function of `k`, which is convex: it lies left
+/// of the root, where the cubic is concave, and Newton's steps approach from that side.
 fn leftmost(k: f64) -> f64 {
     let mut t = -2.0 + 2.0 / 9.0 * (1.0 - k);
     for _ in 0..16 {

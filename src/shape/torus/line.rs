@@ -21,10 +21,11 @@ use glam::DVec3;
 
 /// Rounding of the quartic's value, in roundoffs of `2(|p|² + a²)²`.
 ///
-/// [`crate::num::polynomial::DOUBT`] covers evaluation and the place of the stationary points (96). The coefficients add:
-/// `M`, `D` and `m` err by 12 u relative (9 in the cross products and the quotient, 3 in the sum), `|p|²` by as much plus
-/// the neglected `2 s m·d ≤ 9 u |p|²`: 21; squared 42, the second term of (2) the like: 42 + 42 + 8 roundings
-/// of the sums, and half of it all by the factor 2 in the weight: 46. Together 142.
+/// [`crate::num::polynomial::DOUBT`] covers evaluation and the place of the stationary points (96). The
+/// coefficients add: `M`, `D` and `m` err by 12 u relative (9 in the cross products and the quotient, 3
+/// in the sum), `|p|²` by as much plus the neglected `2 s m·d ≤ 9 u |p|²`: 21; squared 42, the second
+/// term of (2) the like: 42 + 42 + 8 roundings of the sums, and half of it all by the factor 2 in the
+/// weight: 46. Together 142.
 pub(super) const DOUBT: f64 = 160.0;
 
 pub(super) struct Line<'a> {
@@ -40,11 +41,12 @@ pub(super) struct Line<'a> {
     shift: i32,
 }
 
-/// Beyond this many radii nothing can be aimed, and products would overflow.
+/// Rays from beyond this many radii see nothing: their products would overflow.
 const FARTHEST: f64 = 1e250;
 
 impl<'a> Line<'a> {
-    /// Nothing for a line that clearly passes by the bounding sphere or cylinder, or a direction without length.
+    /// Nothing for a line that clearly passes by the bounding sphere, or crosses it without the slab
+    /// |z| ≤ b, or has no direction.
     pub fn new(torus: &'a Scaled, unit: i32, ray: &Ray) -> Option<Self> {
         let size = ray.direction.abs().max_element();
         if !(size > 0.0 && size.is_finite()) {
@@ -73,7 +75,7 @@ impl<'a> Line<'a> {
         (!line.passes_by()).then_some(line)
     }
 
-    /// Does the line stay away from the slab |z| ≤ b within the bounding sphere, or from the outer cylinder within the slab?
+    /// Does the line stay away from the slab |z| ≤ b within the bounding sphere?
     fn passes_by(&self) -> bool {
         // Rounding is a few u; the bounds are widened by far more.
         const WIDE: f64 = 1.0 + 1e-9;
@@ -187,8 +189,8 @@ impl<'a> Line<'a> {
         None
     }
 
-    /// Newton's steps from `s` on the distance form, with the surface evaluated in double-double at `o + t d`: the `t` of the
-    /// line that belongs to the exact input.
+    /// Newton's steps from `s` on the distance form, with the surface evaluated in double-double at `o + t
+    /// d`: the `t` of the line that belongs to the exact input.
     ///
     /// ```text
     /// h = (ρ − a)² + z² − b²,    h k = equation (2),    k = (ρ + a)² + z² − b²
@@ -248,7 +250,8 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The ray's point at `t`, in the torus's unit; the direction is brought near 1 first, so that `t d` does not overflow.
+/// The ray's point at `t`, in the torus's unit; the direction is brought near 1 first, so that `t d`
+/// does not overflow.
 pub(super) fn point(unit: i32, ray: &Ray, t: f64) -> DVec3 {
     let length = exponent(ray.direction.abs().max_element());
     scaled(ray.origin, -unit) + scaled(ray.direction, -length) * times_power_of_two(t, length - unit)
