@@ -7,6 +7,7 @@ mod camera;
 mod colour;
 mod sphere_box;
 mod surface;
+mod torus;
 
 use crate::ray::Ray;
 use glam::DVec3;
@@ -26,6 +27,8 @@ pub const TOPICS: &[Topic] = &[
     surface::RAY_CYLINDER,
     surface::RAY_CONE,
     surface::RAY_QUADRIC,
+    torus::RAY_TORUS,
+    torus::QUARTIC_ROOTS,
 ];
 
 /// A topic: one function of the library, or several methods for the same question.
