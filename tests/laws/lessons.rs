@@ -58,7 +58,11 @@ fn lessons_are_short_and_begin_with_their_question() {
         let text = fs::read_to_string(format!("lessons/{}.rs", entry.stem())).expect("a lesson");
         let lines = text.lines().count();
         assert!(lines <= 160, "lesson {} has {lines} lines", entry.number);
-        assert!(text.starts_with(&format!("//! Lesson {:02}.", entry.number)), "lesson {} has no header", entry.number);
+        assert!(
+            text.starts_with(&format!("//! Lesson {:02}.", entry.number)),
+            "lesson {} has no header",
+            entry.number
+        );
         for part in ["Builds on:", "New here:", "Notation:", "Predict:", "Figure:"] {
             assert!(text.contains(part), "the header of lesson {} lacks `{part}`", entry.number);
         }
@@ -96,7 +100,11 @@ fn the_figures_are_complete() {
         let text = fs::read_to_string(format!("figures/{}.json", entry.stem())).expect("a lesson's record");
         let record: LessonRecord = serde_json::from_str(&text).expect("a lesson's record");
         assert_eq!(record.question, entry.question, "figures/ is older than the syllabus");
-        assert!(!record.answer.is_empty() && record.claims.iter().all(|c| c.holds), "lesson {}", entry.number);
+        assert!(
+            !record.answer.is_empty() && record.claims.iter().all(|c| c.holds),
+            "lesson {}",
+            entry.number
+        );
         for figure in &record.figures {
             assert!(figure.alt.len() > 20, "{:?} has no alternative text", figure.files);
             assert!(!figure.command.contains("--out"), "{}", figure.command);

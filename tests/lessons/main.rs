@@ -26,7 +26,8 @@ fn run(entry: &Entry, out: &Path, more: &[&str]) -> Output {
 /// File name → bytes, without those that hold measured seconds or quote them.
 fn repeatable(out: &Path) -> BTreeMap<String, Vec<u8>> {
     let files = fs::read_dir(out).expect("a folder").flatten();
-    let named = files.map(|f| (f.file_name().to_string_lossy().into_owned(), fs::read(f.path()).expect("a file")));
+    let named =
+        files.map(|f| (f.file_name().to_string_lossy().into_owned(), fs::read(f.path()).expect("a file")));
     named.filter(|(name, _)| !name.contains("_time") && !name.ends_with(".json")).collect()
 }
 
@@ -36,11 +37,20 @@ fn lessons_keep_their_promises() {
         let out = folder(&format!("promises_{}", entry.number));
         let done = run(entry, &out, &[]);
         let stdout = String::from_utf8(done.stdout).expect("text");
-        assert!(done.status.success(), "{}: {}{stdout}", entry.program(), String::from_utf8_lossy(&done.stderr));
+        assert!(
+            done.status.success(),
+            "{}: {}{stdout}",
+            entry.program(),
+            String::from_utf8_lossy(&done.stderr)
+        );
         let record = fs::read_to_string(out.join(format!("{}.json", entry.stem()))).expect("a record");
         let record: LessonRecord = serde_json::from_str(&record).expect("a record");
         assert!((1..=3).contains(&record.claims.len()), "{}: one to three claims", entry.program());
-        assert!(record.answer.chars().any(|c| c.is_ascii_digit()), "the answer has numbers: {}", record.answer);
+        assert!(
+            record.answer.chars().any(|c| c.is_ascii_digit()),
+            "the answer has numbers: {}",
+            record.answer
+        );
         assert!(stdout.contains(&record.answer), "the answer is printed");
         let paths: Vec<&str> = stdout.lines().rev().take_while(|l| !l.is_empty()).collect();
         assert!(paths.len() > 3 && paths.iter().all(|p| Path::new(p).is_file()), "the paths come last");
@@ -48,7 +58,8 @@ fn lessons_keep_their_promises() {
             assert!(out.join(file).is_file(), "{file} was promised");
         }
         let header = fs::read_to_string(format!("lessons/{}.rs", entry.stem())).expect("a lesson");
-        let promised = header.lines().filter_map(|l| l.strip_prefix("//! Figure:")).flat_map(|l| l.split(','));
+        let promised =
+            header.lines().filter_map(|l| l.strip_prefix("//! Figure:")).flat_map(|l| l.split(','));
         for file in promised.map(str::trim).filter(|f| !f.is_empty()) {
             assert!(out.join(file).is_file(), "the header of lesson {} promises {file}", entry.number);
         }
@@ -58,7 +69,8 @@ fn lessons_keep_their_promises() {
 #[test]
 fn lessons_repeat_to_the_byte_whatever_the_threads() {
     for entry in SYLLABUS {
-        let (a, b) = (folder(&format!("repeat_a_{}", entry.number)), folder(&format!("repeat_b_{}", entry.number)));
+        let (a, b) =
+            (folder(&format!("repeat_a_{}", entry.number)), folder(&format!("repeat_b_{}", entry.number)));
         assert!(run(entry, &a, &["--seed", "5", "--threads", "1"]).status.success());
         assert!(run(entry, &b, &["--seed", "5", "--threads", "3"]).status.success());
         let (a, b) = (repeatable(&a), repeatable(&b));
