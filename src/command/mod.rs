@@ -21,7 +21,7 @@ use std::process::ExitCode;
 
 /// An optical bench for learning light transport.
 #[derive(Parser)]
-#[command(name = "lightbench", version, propagate_version = true, about, max_term_width = 100)]
+#[command(name = "lightbench", version, propagate_version = true, max_term_width = 100)]
 struct Cli {
     #[command(subcommand)]
     verb: Verb,
