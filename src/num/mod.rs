@@ -1,5 +1,6 @@
 //! Numbers: rounding bounds, polynomial roots, sums.
 
+pub mod counted;
 pub mod real;
 pub mod statistics;
 pub mod sum;
