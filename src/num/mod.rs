@@ -1,6 +1,7 @@
 //! Numbers: rounding bounds, polynomial roots, sums.
 
 pub mod certified;
+pub mod counted;
 pub mod cubic;
 pub mod double_double;
 pub mod expansion;
