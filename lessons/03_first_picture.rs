@@ -99,7 +99,7 @@ fn main() -> Result {
     lesson.save(
         "shadow_points",
         shadows(
-            counted.title("Errors fall with N to the −¾; those of independent points would with N to the −½"),
+            counted.title("Errors fall as N to the −¾, where independent points give −½"),
             &sweeps,
             |p| p.parameter,
         ),
