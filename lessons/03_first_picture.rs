@@ -76,12 +76,10 @@ fn main() -> Result {
     let room_truth = render(&room(POINT)?, &Local::default(), small).image;
 
     // 2. The contestants: five stages, two ways to place light points, two ways to leave a surface.
-    let stages = WAYS.iter().map(|way| measured(way, small, &truth)).collect::<Result<Vec<_>>>()?;
-    let sweep = |placement| -> Result<Series> {
-        let points = SIDES.iter().map(|n| Ok(measured(&soft(*n, placement), small, &truth)?.0));
-        Ok(Series::new(points.collect::<Result<_>>()?))
-    };
-    let sweeps = [sweep(Grid)?, sweep(Jittered)?];
+    let stages = measured(&WAYS, small, &truth)?;
+    let ways: Vec<Way> = [Grid, Jittered].iter().flat_map(|p| SIDES.map(|n| soft(n, *p))).collect();
+    let points: Vec<Point> = measured(&ways, small, &truth)?.into_iter().map(|m| m.0).collect();
+    let sweeps = [0, SIDES.len()].map(|i| Series::new(points[i..i + SIDES.len()].to_vec()));
     let lines = [wall(&soft(5, Grid), shown.seed)?, wall(&soft(5, Jittered), shown.seed)?];
     let errors = lines.map(|l| l.iter().zip(&exact).map(|(a, b)| (a.0, a.1 - b.1)).collect::<Line>());
     let changes = SIZES.map(|(_, size)| changes(size, small, &room_truth));
@@ -93,9 +91,19 @@ fn main() -> Result {
     lesson.save("stages", panels(Picture { width: 18 * side / 5, height: 3 * side + 1, ..small })?)?;
     lesson.save("costs", costs(&stages, small))?;
     let headline = Chart::speed_accuracy(ERROR).x(Axis::time("time per picture"));
-    lesson.save("shadow_error", shadows(headline, &sweeps, |p| p.time.map_or(f64::NAN, |t| t.mid)))?;
+    lesson.save(
+        "shadow_error",
+        shadows(headline.title(&grid_or_jittered(&sweeps)), &sweeps, |p| p.time.map_or(f64::NAN, |t| t.mid)),
+    )?;
     let counted = Chart::error_over(Axis::log("light points N"), ERROR);
-    lesson.save("shadow_points", shadows(counted, &sweeps, |p| p.parameter))?;
+    lesson.save(
+        "shadow_points",
+        shadows(
+            counted.title("Errors fall as N to the −¾, where independent points give −½"),
+            &sweeps,
+            |p| p.parameter,
+        ),
+    )?;
     lesson.save("penumbra", penumbra(&errors))?;
     lesson.save("sizes", sizes(&changes))?;
 
@@ -129,17 +137,25 @@ fn shoot(way: &Way, picture: Picture) -> Result<Image> {
     Ok(render(&lit(way)?, &Local { stage: way.1, ..Local::default() }, picture).image)
 }
 
-fn measured(way: &Way, picture: Picture, truth: &Image) -> Result<Measured> {
-    let (scene, local) = (lit(way)?, Local { stage: way.1, ..Local::default() });
+/// Every run takes all ways in turn, so that a busy moment of the machine favours none.
+fn measured(ways: &[Way], picture: Picture, truth: &Image) -> Result<Vec<Measured>> {
+    let scenes = ways.iter().map(lit).collect::<Result<Vec<_>>>()?;
     let pixels = (picture.width * picture.height) as f64;
-    let (mut runs, mut rays, mut tests) = (Tally::new(), 0.0, 0.0);
+    let mut found = vec![(Tally::new(), 0.0, 0.0); ways.len()];
     for run in 0..RUNS {
         let picture = Picture { seed: picture.seed.wrapping_add(run.into()), ..picture };
-        let (seconds, done) = timed(|| render(&scene, &local, picture));
-        runs.timed_answer(seconds, compare(&done.image, truth).rmse, 0.0);
-        (rays, tests) = (done.tally.total_rays() as f64 / pixels, done.tally.shape_tests as f64 / pixels);
+        for ((way, scene), (runs, rays, tests)) in ways.iter().zip(&scenes).zip(&mut found) {
+            let (seconds, done) =
+                timed(|| render(scene, &Local { stage: way.1, ..Local::default() }, picture));
+            runs.timed_answer(seconds, compare(&done.image, truth).rmse, 0.0);
+            (*rays, *tests) =
+                (done.tally.total_rays() as f64 / pixels, done.tally.shape_tests as f64 / pixels);
+        }
     }
-    Ok((runs.rms_at(f64::from(way.2 * way.2)).worked(rays), tests))
+    let points = ways.iter().zip(found);
+    Ok(points
+        .map(|(w, (runs, rays, tests))| (runs.rms_at(f64::from(w.2 * w.2)).worked(rays), tests))
+        .collect())
 }
 
 /// Red radiance over x [m] on the back wall, along a level line across the shadow of the middle sphere.
@@ -373,9 +389,7 @@ fn mid(stages: &[Measured], i: usize) -> f64 {
 fn shadows(chart: Chart, [grid, jittered]: &[Series; 2], x: fn(&Point) -> f64) -> Figure {
     let (one, rest) = grid.points.split_at(1);
     let (first, last) = (&jittered.points[0], &grid.points[SIDES.len() - 1]);
-    let ratio = rmse(&jittered.points[4]) / rmse(&grid.points[4]);
     let chart = chart
-        .title(&format!("At 100 light points the grid errs {ratio:.1} times less than jittered points"))
         .subtitle(&format!(
             "scene 1 of D with N = 1, 4, 9, 25, 100, 400 light points, {RUNS} runs; truth: {TRUTH}² points"
         ))
@@ -388,6 +402,11 @@ fn shadows(chart: Chart, [grid, jittered]: &[Series; 2], x: fn(&Point) -> f64) -
         "Error of the shadows of scene 1 against cost. A shadow's edge crosses some n of the n × n cells, and each of \
          those errs by chance: n^(1/2)/n² = N^(−3/4) (for a grid and a curved edge: Kendall, 1948). The grid's points \
          are the same for every pixel, hence cheap; that its errors are steps, no such number shows.")
+}
+
+fn grid_or_jittered([grid, jittered]: &[Series; 2]) -> String {
+    let ratio = rmse(&jittered.points[4]) / rmse(&grid.points[4]);
+    format!("At 100 light points the grid errs {ratio:.1} times less than jittered points")
 }
 
 fn penumbra(errors: &[Line; 2]) -> Figure {
@@ -470,9 +489,10 @@ fn times(stages: &[Measured]) -> String {
 fn answer(stages: &[Measured]) -> String {
     let (error, rays) = (|i: usize| rmse(&stages[i].0), |i: usize| stages[i].0.work.unwrap_or(f64::NAN));
     format!(
-        "To see what is there costs 1 ray and {:.1} shape tests a pixel and errs by {:.2}; light without shadows adds \
-         no ray and errs by {:.2}; a hard shadow makes it {:.2} rays and {:.1} tests, and {:.3}; 10 × 10 light points \
-         {:.1} rays, yet only {:.1} tests, and {:.4}: {:.0} times less error for {:.1} times the tests.",
+        "Visibility costs 1 ray and {:.1} shape tests a pixel and leaves an error (RMSE) of {:.2}; Lambert's law and \
+         ambient light cost no ray more and leave {:.2}; hard shadows cost {:.2} rays and {:.1} tests in all and \
+         leave {:.3}; soft shadows of 10 × 10 light points cost {:.1} rays, yet only {:.1} tests, and leave {:.4}: {:.0} times \
+         less error than hard ones for {:.1} times the tests.",
         stages[0].1,
         error(0),
         error(1),
