@@ -1,5 +1,6 @@
 //! Orthonormal bases, rotations, and what they do to normals [B §4, §5.3].
 
+use crate::num::certified::power_of_two_below;
 use glam::{DMat3, DVec3};
 
 /// Right, up and forward: unit vectors, pairwise perpendicular, `right × up = −forward`.
@@ -50,12 +51,9 @@ impl Frame {
         })
     }
 
-    /// Some frame with this unit `forward`.
-    ///
-    /// - Accuracy: orthonormal to 4 u, for every direction.
-    /// - Source: Duff et al., *Building an Orthonormal Basis, Revisited*, JCGT 6(1) (2017).
+    /// Some frame with this unit `forward`, by [`basis`].
     pub fn around(forward: DVec3) -> Self {
-        let (right, down) = forward.any_orthonormal_pair();
+        let (right, down) = basis(forward);
         Frame { right, up: -down, forward }
     }
 }
@@ -64,14 +62,27 @@ fn half_difference(a: DVec3, b: DVec3) -> DVec3 {
     a * 0.5 - b * 0.5 // halves, so that the difference of two large points does not overflow
 }
 
-/// The unit vector along `v`; `None` for the zero vector. No length under- or overflows.
+/// The unit vector along `v`, however long or short; `None` for the zero vector and those that are not finite.
+///
+/// - Accuracy: each coordinate to 4 u: the scale is a power of two, hence exact.
 pub fn unit(v: DVec3) -> Option<DVec3> {
-    let largest = v.abs().max_element();
-    if largest == 0.0 || !largest.is_finite() {
-        return None;
-    }
-    let scaled = v / largest;
-    Some(scaled / scaled.length())
+    let scale = power_of_two_below(v.abs().max_element());
+    let scaled = v / scale;
+    let length = scaled.length();
+    (length > 0.0 && length.is_finite()).then(|| scaled / length)
+}
+
+/// Two unit vectors that make a right-handed basis with the unit vector `n`: `x × y = n`.
+///
+/// - Accuracy: orthonormal to 4 u, for every direction.
+/// - Source: Duff et al., *Building an Orthonormal Basis, Revisited*, JCGT 6(1) (2017).
+pub fn basis(n: DVec3) -> (DVec3, DVec3) {
+    let sign = 1.0_f64.copysign(n.z);
+    let a = -1.0 / (sign + n.z);
+    let b = n.x * n.y * a;
+    let x = DVec3::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x);
+    let y = DVec3::new(b, sign + n.y * n.y * a, -n.y);
+    (x, y)
 }
 
 /// The matrix that turns by `angle` [rad] counter-clockwise about `axis` (any length but 0).

@@ -3,5 +3,6 @@
 pub mod figure;
 pub mod flags;
 pub mod lesson;
+pub mod page;
 pub mod progress;
 pub mod replay;

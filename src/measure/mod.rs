@@ -150,10 +150,28 @@ impl Series {
     pub fn new(points: Vec<Point>) -> Self {
         Series { points }
     }
+    /// One point for each value of the parameter.
+    pub fn over(parameters: &[f64], point: impl FnMut(f64) -> Point) -> Self {
+        Series { points: parameters.iter().copied().map(point).collect() }
+    }
     /// The failures of all points together.
     pub fn failures(&self) -> Failures {
         self.points.iter().fold(Failures::default(), |sum, p| sum.plus(&p.failures))
     }
+}
+
+/// `count` parameters from `low` to `high`, evenly spaced on a logarithm; both ends are exact.
+///
+/// - Domain: `0 < low`, `0 < high`, both finite; one parameter is `low`.
+pub fn log_spaced(low: f64, high: f64, count: usize) -> Vec<f64> {
+    debug_assert!(low > 0.0 && high > 0.0 && (low * high).is_finite(), "from {low} to {high}");
+    let last = count.saturating_sub(1);
+    let at = |i: usize| match i {
+        0 => low,
+        i if i == last => high,
+        i => low * (high / low).powf(i as f64 / last as f64),
+    };
+    (0..count).map(at).collect()
 }
 
 /// Runs an estimator `repetitions` times at each budget, and measures its time and its error against `truth`.

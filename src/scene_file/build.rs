@@ -4,7 +4,7 @@ use super::blocks::{MOST_CELLS, MOST_PIXELS};
 use super::diagnostic::{Diagnostic, Severity, Span};
 use super::format::{Role, State};
 use super::parse::{Block, Parsed};
-use super::{Settings, declared, pending};
+use super::{Given, Settings, declared, pending};
 use crate::color::Rgb;
 use crate::frame::rotation_about;
 use crate::light::{AreaLight, Falloff, Light, Placement, PointLight};
@@ -105,6 +105,7 @@ fn natural(n: i64) -> u32 {
 
 fn settings(block: &Block, log: &mut Vec<Diagnostic>) -> Settings {
     let one = |name: &str| natural(block.integers::<1>(name)[0]);
+    let given = |name: &str| block.entry(name).is_some();
     let mut settings = Settings {
         width: one("RenderWidth"),
         height: one("RenderHeight"),
@@ -113,6 +114,11 @@ fn settings(block: &Block, log: &mut Vec<Diagnostic>) -> Settings {
         reflection_steps: one("ReflectionSteps"),
         indirect_quality: one("IndirectQuality"),
         color_bleeding: block.numbers::<1>("ColorBleeding")[0],
+        given: Given {
+            width: given("RenderWidth"),
+            height: given("RenderHeight"),
+            samples: given("Antialiasing"),
+        },
     };
     match block.integers("Antialiasing") {
         [n @ (1 | 4 | 16)] => settings.samples = natural(n),
@@ -230,7 +236,7 @@ fn shape(block: &Block) -> ShapeOrPlace {
             Ok(Box::new(Sphere::new(center, radius).map_err(at_keyword)?))
         }
         "Box" => transformed_box(transformation(block)).map_err(at_keyword),
-        _ => Err(at_keyword(ShapeError::Degenerate { what: "block", why: "nothing is built from it" })),
+        other => unreachable!("the table of blocks promises a builder of {other}"),
     }
 }
 

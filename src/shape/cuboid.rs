@@ -18,12 +18,9 @@ pub struct Cuboid {
 impl Cuboid {
     /// - Errors: corners that are not finite, an extent that is not positive.
     pub fn new(min: DVec3, max: DVec3) -> Result<Self, ShapeError> {
-        ShapeError::check_finite("corner", min)?;
-        ShapeError::check_finite("corner", max)?;
-        for axis in 0..3 {
-            if !(min[axis] < max[axis]) {
-                return Err(ShapeError::NotPositive { what: "extent", found: max[axis] - min[axis] });
-            }
+        let (min, max) = (ShapeError::finite("corner", min)?, ShapeError::finite("corner", max)?);
+        for extent in (max - min).to_array() {
+            ShapeError::positive("extent", extent)?;
         }
         Ok(Cuboid { min, max })
     }

@@ -26,13 +26,13 @@ impl<S: ?Sized + Shape> Instance<S> {
     pub fn new(shape: Box<S>, to_world: DAffine3) -> Result<Self, ShapeError> {
         let m = to_world.matrix3;
         for column in [m.x_axis, m.y_axis, m.z_axis, to_world.translation] {
-            ShapeError::check_finite("transformation", column)?;
+            ShapeError::finite("transformation", column)?;
         }
         let size = m.x_axis.length() * m.y_axis.length() * m.z_axis.length();
         let to_local = to_world.inverse();
         // A determinant below the rounding errors of its own six products is no determinant.
         if !(m.determinant().abs() > gamma(9) * size) || !to_local.is_finite() {
-            return Err(ShapeError::Degenerate { what: "transformation", why: "it squashes space flat" });
+            return Err(ShapeError::Flat { what: "transformation" });
         }
         let (world_stretch, local_stretch) = (stretch(&m), stretch(&to_local.matrix3));
         Ok(Instance { to_world, to_local, world_stretch, local_stretch, shape })

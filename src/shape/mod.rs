@@ -1,15 +1,115 @@
 //! Surfaces: where a ray meets them, and what is there. One file per surface.
 
+pub mod cone;
 pub mod cuboid;
+pub mod cylinder;
+pub mod disc;
 pub mod fan;
 pub mod instance;
+pub mod plane;
+pub mod polygon;
+pub mod quadric;
 pub mod sphere;
+pub mod torus;
+pub mod triangle;
 
 use crate::bounds::Aabb;
+use crate::frame::{basis, unit};
 use crate::ray::{Crossing, Hit, Ray, Span};
 use fan::Fan;
 use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
 use std::fmt::Debug;
+
+/// Why a surface cannot be made from these numbers.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ShapeError {
+    #[error("{what}: expected a finite number, found {found}")]
+    NotFinite { what: &'static str, found: f64 },
+    #[error("{what}: expected a length above 0, found {found}")]
+    NotPositive { what: &'static str, found: f64 },
+    #[error("{what}: expected a length of at least 0, found {found}")]
+    Negative { what: &'static str, found: f64 },
+    #[error("{what}: expected a vector with a direction, found one of length 0")]
+    NoDirection { what: &'static str },
+    #[error("{what}: expected an area above 0, found vertices on one line")]
+    NoArea { what: &'static str },
+    #[error("{what}: expected at least one coefficient other than 0 beside the constant, found none")]
+    NoEquation { what: &'static str },
+    #[error("{what}: expected a map that keeps space three-dimensional, found one that squashes it flat")]
+    Flat { what: &'static str },
+    #[error("torus: expected ring radius > tube radius > 0, found ring {ring} and tube {tube}")]
+    NotARing { ring: f64, tube: f64 },
+    #[error("polygon: expected at least 3 vertices, found {found}")]
+    TooFewVertices { found: usize },
+    #[error("polygon: expected vertices within {allowed} of one plane, found one at {found}")]
+    NotFlat { allowed: f64, found: f64 },
+}
+
+impl ShapeError {
+    /// `v`, if its coordinates are finite.
+    pub(crate) fn finite(what: &'static str, v: DVec3) -> Result<DVec3, ShapeError> {
+        match v.to_array().into_iter().find(|x| !x.is_finite()) {
+            Some(found) => Err(ShapeError::NotFinite { what, found }),
+            None => Ok(v),
+        }
+    }
+
+    /// `x`, if it is finite and above 0.
+    pub(crate) fn positive(what: &'static str, x: f64) -> Result<f64, ShapeError> {
+        if !x.is_finite() {
+            Err(ShapeError::NotFinite { what, found: x })
+        } else if x <= 0.0 {
+            Err(ShapeError::NotPositive { what, found: x })
+        } else {
+            Ok(x)
+        }
+    }
+
+    /// The unit vector along `v`, if `v` is finite and not zero.
+    pub(crate) fn direction(what: &'static str, v: DVec3) -> Result<DVec3, ShapeError> {
+        unit(Self::finite(what, v)?).ok_or(ShapeError::NoDirection { what })
+    }
+}
+
+/// From which sides a flat surface is met.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Sides {
+    #[default]
+    Both,
+    /// Only where the ray runs against the normal: `testcull` of [A ill. 56].
+    Front,
+}
+
+impl Sides {
+    /// Is a surface with this normal met by a ray in this direction?
+    #[inline]
+    pub(crate) fn admit(self, direction: DVec3, normal: DVec3) -> bool {
+        self == Sides::Both || direction.dot(normal) < 0.0
+    }
+}
+
+/// The angle of `(x, y)` as a share of the full turn, in [0, 1); 0 at the pole.
+pub(crate) fn turn(x: f64, y: f64) -> f64 {
+    let share = y.atan2(x) / TAU;
+    // −10⁻³⁰ + 1 rounds to 1: the end of the turn is its beginning.
+    if share >= 0.0 { share } else { (share + 1.0) % 1.0 }
+}
+
+/// The unit vector along the part of `v` that is perpendicular to the unit vector `n`, else any perpendicular one.
+pub(crate) fn perpendicular_part(v: DVec3, n: DVec3) -> DVec3 {
+    unit(v - n * v.dot(n)).unwrap_or_else(|| basis(n).0)
+}
+
+/// The first of ascending crossings with `t_min < t < t_max`.
+#[inline]
+pub(crate) fn first_between(
+    crossings: impl IntoIterator<Item = Crossing>,
+    t_min: f64,
+    t_max: f64,
+) -> Option<Crossing> {
+    crossings.into_iter().find(|c| t_min < c.t && c.t < t_max)
+}
 
 /// A surface that rays meet.
 ///
@@ -59,27 +159,6 @@ pub trait Solid: Shape {
 
     /// Is the point inside or on the surface?
     fn contains(&self, p: DVec3) -> bool;
-}
-
-/// Why there is no such shape.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ShapeError {
-    #[error("{what} must be positive and finite, found {found}")]
-    NotPositive { what: &'static str, found: f64 },
-    #[error("{what} must be finite, found {found}")]
-    NotFinite { what: &'static str, found: DVec3 },
-    #[error("{what} must not be degenerate: {why}")]
-    Degenerate { what: &'static str, why: &'static str },
-}
-
-impl ShapeError {
-    fn check_positive(what: &'static str, found: f64) -> Result<(), Self> {
-        if found > 0.0 && found.is_finite() { Ok(()) } else { Err(Self::NotPositive { what, found }) }
-    }
-
-    fn check_finite(what: &'static str, found: DVec3) -> Result<(), Self> {
-        if found.is_finite() { Ok(()) } else { Err(Self::NotFinite { what, found }) }
-    }
 }
 
 /// The span between two crossings; `None` where they touch, for a touch encloses nothing.

@@ -4,10 +4,19 @@
 mod support;
 
 mod architecture;
+mod certified;
+mod figure;
 mod film;
 mod film_files;
+mod flat;
 mod frame;
+mod lessons;
 mod local;
+mod measure;
+mod num;
+mod quadrics;
 mod sample;
 mod scene_file;
+mod shapes;
 mod statistics;
+mod torus;

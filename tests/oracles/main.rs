@@ -6,5 +6,6 @@ mod support;
 mod film;
 mod sample;
 mod statistics;
+mod surfaces;
 mod tables;
 mod truth;

@@ -86,7 +86,11 @@ fn roomy_log(low: f64, high: f64) -> (f64, f64) {
     let air = 0.04 * (b - a).max(1.0);
     let (a, b) = (a - air, b + air);
     let powers = b.floor() - a.ceil() + 1.0;
-    let (a, b) = if powers >= 2.0 { (a, b) } else { ((a + air).floor().min(a), (b - air).ceil().max(b)) };
+    let (a, b) = match ((a + air).floor(), (b - air).ceil()) {
+        _ if powers >= 2.0 => (a, b),
+        (floor, ceil) if floor < ceil => (floor.min(a), ceil.max(b)),
+        (floor, ceil) => (floor - 1.0, ceil + 1.0),
+    };
     // The ends of the number range: 10^±308 stay finite and normal.
     (10f64.powf(a.clamp(-307.0, 307.0)), 10f64.powf(b.clamp(-306.0, 308.0)))
 }

@@ -1,6 +1,6 @@
 //! Bars: one quantity for named things.
 
-use super::axis::{Axis, Scale};
+use super::axis::{Axis, Ruler, Scale};
 use super::chart::Look;
 use super::drawing::{Anchor, Drawing, Face, Fill, Rect, Stroke, Text};
 use super::heading::{HEIGHT, Heading, MARGIN, SIZE, WIDTH, short};
@@ -71,23 +71,11 @@ impl Bars {
             drawing.text(Text::new(at, label, SIZE, Ink::Muted).anchor(Anchor::Middle));
         }
         let start = zero.and_then(|z| ruler.inside(z)).unwrap_or(left);
-        for (i, (method, value, label)) in self.bars.iter().enumerate() {
+        for (i, bar) in self.bars.iter().enumerate() {
             let y = top + 3.0 + step * (i as f64 + 0.5);
-            let look = Look::of(method, 0);
             let at = dvec2(left - 12.0, y + size * 0.35);
-            drawing.text(Text::new(at, name(method), size, Ink::Text).anchor(Anchor::End));
-            let end = ruler.at(value.mid).map_or(start, |x| x.clamp(left, right));
-            let (a, b) = (start.min(end), start.max(end));
-            let place = Rect::new(a, y - step * 0.33, b.max(a + 1.0), y + step * 0.33);
-            drawing.rect(place, Some(Fill::new(Ink::Line(look.hue))), None);
-            let mut text_at = b;
-            if let (Some(low), Some(high)) = (ruler.inside(value.low), ruler.inside(value.high)) {
-                if high - low > 2.0 {
-                    drawing.line(dvec2(low, y), dvec2(high, y), Stroke::new(Ink::Text, 1.6));
-                    text_at = text_at.max(high);
-                }
-            }
-            drawing.text(Text::new(dvec2(text_at + 8.0, y + size * 0.35), label, size, Ink::Text));
+            drawing.text(Text::new(at, name(&bar.0), size, Ink::Text).anchor(Anchor::End));
+            one(bar, &ruler, start, Row { y, half: step * 0.33, size }, &mut drawing);
         }
         drawing.line(dvec2(start, top), dvec2(start, bottom), Stroke::new(Ink::Outline, 1.4));
         let at = dvec2(right, bottom + SIZE * 2.5);
@@ -102,6 +90,35 @@ impl Bars {
         };
         self.bars.iter().fold("name,value,low,high\n".to_string(), |text, bar| text + &line(bar))
     }
+}
+
+/// Where a bar lies: its middle, half its thickness, the size of its writing [px].
+struct Row {
+    y: f64,
+    half: f64,
+    size: f64,
+}
+
+/// A bar from `start`, its spread, and what is written at its end.
+fn one(
+    (method, value, label): &(Method, Spread, String),
+    ruler: &Ruler,
+    start: f64,
+    row: Row,
+    drawing: &mut Drawing,
+) {
+    let Row { y, half, size } = row;
+    let end = ruler.at(value.mid).map_or(start, |x| x.clamp(ruler.start, ruler.end));
+    let (a, b) = (start.min(end), start.max(end));
+    let fill = Fill::new(Ink::Line(Look::of(method, 0).hue));
+    drawing.rect(Rect::new(a, y - half, b.max(a + 1.0), y + half), Some(fill), None);
+    let mut text_at = b;
+    let spread = ruler.inside(value.low).zip(ruler.inside(value.high));
+    if let Some((low, high)) = spread.filter(|(low, high)| high - low > 2.0) {
+        drawing.line(dvec2(low, y), dvec2(high, y), Stroke::new(Ink::Text, 1.6));
+        text_at = text_at.max(high);
+    }
+    drawing.text(Text::new(dvec2(text_at + 8.0, y + size * 0.35), label, size, Ink::Text));
 }
 
 impl From<Bars> for Figure {

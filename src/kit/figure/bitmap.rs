@@ -1,7 +1,7 @@
 //! A drawing as pixels, on white, and the PNG file of them.
 
 use super::drawing::{
-    Anchor, Drawing, Ends, Fill, HATCH_PERIOD, HATCH_WIDTH, Item, Pattern, Pixels, Rect, Stroke, Text, Turn,
+    Anchor, Drawing, Ends, Fill, HATCH_PERIOD, HATCH_WIDTH, Item, Pattern, Pixels, Rect, Stroke, Text,
 };
 use super::ink::{Ink, Srgb};
 use super::raster::{Coverage, coverage};
@@ -25,6 +25,8 @@ pub fn png(pixels: &Pixels, texts: &[(&str, &str)]) -> Result<Vec<u8>, png::Enco
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     encoder.set_compression(png::Compression::Balanced);
+    // Line art packs best unfiltered; noisy renders do, too.
+    encoder.set_filter(png::Filter::NoFilter);
     for (keyword, text) in texts.iter().filter(|(_, text)| !text.is_empty()) {
         // tEXt holds Latin-1 only; anything else goes into iTXt.
         if text.chars().all(|c| (c as u32) < 256) {
@@ -98,10 +100,7 @@ impl Canvas {
             Anchor::Middle => -width / 2.0,
             Anchor::End => -width,
         };
-        let place = |p: DVec2| match text.turn {
-            Turn::Level => text.at + dvec2(start + p.x, p.y),
-            Turn::Up => text.at + dvec2(p.y, -start - p.x),
-        };
+        let place = |p: DVec2| text.at + dvec2(start + p.x, p.y);
         let letters: Vec<Vec<DVec2>> = font::outlines(&text.text, text.face, text.size)
             .into_iter()
             .map(|contour| contour.into_iter().map(place).collect())

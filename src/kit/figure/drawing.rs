@@ -142,31 +142,13 @@ pub struct Text {
     pub face: Face,
     pub ink: Ink,
     pub anchor: Anchor,
-    pub turn: Turn,
     /// Width of the ground-coloured rim round the letters [px].
     pub halo: f64,
 }
 
-/// Direction of reading.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Turn {
-    Level,
-    /// Upwards, for the title of a vertical axis.
-    Up,
-}
-
 impl Text {
     pub fn new(at: DVec2, text: impl Into<String>, size: f64, ink: Ink) -> Self {
-        Text {
-            at,
-            text: text.into(),
-            size,
-            face: Face::Regular,
-            ink,
-            anchor: Anchor::Start,
-            turn: Turn::Level,
-            halo: 0.0,
-        }
+        Text { at, text: text.into(), size, face: Face::Regular, ink, anchor: Anchor::Start, halo: 0.0 }
     }
     pub fn face(mut self, face: Face) -> Self {
         self.face = face;
@@ -174,10 +156,6 @@ impl Text {
     }
     pub fn anchor(mut self, anchor: Anchor) -> Self {
         self.anchor = anchor;
-        self
-    }
-    pub fn upwards(mut self) -> Self {
-        self.turn = Turn::Up;
         self
     }
     pub fn halo(mut self, width: f64) -> Self {
@@ -193,11 +171,7 @@ impl Text {
             Anchor::Middle => -width / 2.0,
             Anchor::End => -width,
         };
-        let flat = match self.turn {
-            Turn::Level => Rect::new(start, -rise, start + width, fall),
-            Turn::Up => Rect::new(-rise, -start - width, fall, -start),
-        };
-        flat.shifted(self.at)
+        Rect::new(start, -rise, start + width, fall).shifted(self.at)
     }
 }
 

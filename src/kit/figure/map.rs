@@ -214,7 +214,10 @@ impl FailureMap {
                 let share = dvec2((k % 20) as f64 + 0.5, (k / 20) as f64 + 0.5) / 20.0;
                 let center = area.min + half + share * (area.max - area.min - half * 2.0);
                 // Where the region is wide, the middle of it: its surroundings should be free as well.
-                let reach = Rect { min: center - half * 1.8, max: center + half * 1.8 };
+                let reach = Rect {
+                    min: (center - half * 1.8).max(area.min),
+                    max: (center + half * 1.8).min(area.max),
+                };
                 Candidate {
                     place: Rect { min: center - half, max: center + half },
                     penalty: 0.3 * placer.cost(&reach).min(1.0e5),

@@ -57,15 +57,17 @@ pub fn coverage(polygons: &[Vec<DVec2>], width: usize, height: usize) -> Coverag
     if w == 0 || h == 0 {
         return block;
     }
-    let mut crossings: Vec<Vec<(f64, i32)>> = vec![Vec::new(); h * SCANS];
+    let mut crossings: Vec<Crossing> = Vec::new();
     for polygon in polygons.iter().filter(|p| p.iter().all(|q| q.is_finite())) {
         for (i, &a) in polygon.iter().enumerate() {
-            cross(a, polygon[(i + 1) % polygon.len()], y0, &mut crossings);
+            cross(a, polygon[(i + 1) % polygon.len()], y0, h * SCANS, &mut crossings);
         }
     }
-    for (scan, row) in crossings.iter_mut().enumerate() {
-        row.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let start = scan / SCANS * w;
+    crossings.sort_unstable_by(|a, b| {
+        a.scan.cmp(&b.scan).then(a.x.total_cmp(&b.x)).then(a.winding.cmp(&b.winding))
+    });
+    for row in crossings.chunk_by(|a, b| a.scan == b.scan) {
+        let start = row[0].scan as usize / SCANS * w;
         spans(row, x0, &mut block.values[start..start + w]);
     }
     block
@@ -79,22 +81,29 @@ fn pixel_range(low: f64, high: f64, size: usize) -> (usize, usize) {
     ((low.floor().max(0.0) as usize).min(size), (high.ceil().max(0.0) as usize).min(size))
 }
 
+/// Where an edge crosses a scan line, and which way.
+struct Crossing {
+    scan: u32,
+    x: f64,
+    winding: i32,
+}
+
 /// Notes where the edge from `a` to `b` crosses the scan lines of the block.
-fn cross(a: DVec2, b: DVec2, y0: usize, crossings: &mut [Vec<(f64, i32)>]) {
+fn cross(a: DVec2, b: DVec2, y0: usize, scans: usize, crossings: &mut Vec<Crossing>) {
     let (top, bottom, winding) = if a.y < b.y { (a, b, 1) } else { (b, a, -1) };
     // Scan line k lies at y0 + (k + ½)/SCANS; it is crossed where top ≤ y < bottom.
     let index = |y: f64| ((y - y0 as f64) * SCANS as f64 - 0.5).ceil().max(0.0) as usize;
     let slope = (bottom.x - top.x) / (bottom.y - top.y);
-    for k in index(top.y)..index(bottom.y).min(crossings.len()) {
+    for k in index(top.y)..index(bottom.y).min(scans) {
         let y = y0 as f64 + (k as f64 + 0.5) / SCANS as f64;
-        crossings[k].push((top.x + (y - top.y) * slope, winding));
+        crossings.push(Crossing { scan: k as u32, x: top.x + (y - top.y) * slope, winding });
     }
 }
 
 /// Adds the covered stretches of one scan line to a row of pixels.
-fn spans(crossings: &[(f64, i32)], x0: usize, row: &mut [f32]) {
+fn spans(crossings: &[Crossing], x0: usize, row: &mut [f32]) {
     let (mut winding, mut start) = (0, 0.0);
-    for &(x, step) in crossings {
+    for &Crossing { x, winding: step, .. } in crossings {
         if winding == 0 {
             start = x;
         }

@@ -134,7 +134,7 @@ impl Diagram {
         let start = (0..steps).find(|&k| seen(k) && !seen((k + steps - 1) % steps)).unwrap_or(0);
         let chain = |front: bool| -> Vec<DVec2> {
             let mut ks: Vec<usize> =
-                (0..=steps).map(|i| start + i).filter(|k| seen(k % steps) == front).collect();
+                (0..steps).map(|i| start + i).filter(|k| seen(k % steps) == front).collect();
             ks.extend(ks.last().map(|k| k + 1).filter(|_| ks.len() < steps));
             ks.iter().map(|&k| space.at(center + on(TAU * k as f64 / 96.0))).collect()
         };

@@ -2,7 +2,7 @@
 
 use super::drawing::{
     Anchor, Chain, Drawing, Ends, Face, Fill, HATCH_PERIOD, HATCH_WIDTH, Item, Pattern, Pixels, Rect, Stroke,
-    Text, Turn,
+    Text,
 };
 use super::font::{self, Level};
 use super::ink::{Ink, ROLES, Srgb};
@@ -22,7 +22,7 @@ pub fn render(drawing: &Drawing, words: &Words) -> String {
     let (w, h) = (number(drawing.width), number(drawing.height));
     let _ = writeln!(
         svg.text,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" role=\"img\">"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" role=\"img\" xml:space=\"preserve\">"
     );
     let _ = writeln!(svg.text, "<title>{}</title>", escaped(words.title));
     let _ = writeln!(svg.text, "<desc>{}</desc>", escaped(words.description));
@@ -135,10 +135,6 @@ impl Svg {
             Anchor::End => " text-anchor=\"end\"",
         };
         let (x, y) = (number(text.at.x), number(text.at.y));
-        let turn = match text.turn {
-            Turn::Level => String::new(),
-            Turn::Up => format!(" transform=\"rotate(-90 {x} {y})\""),
-        };
         let width = font::width(&text.text, text.face, text.size);
         let (class, weight) = match text.face {
             Face::Regular => ("sans", ""),
@@ -168,7 +164,7 @@ impl Svg {
         };
         let _ = writeln!(
             self.text,
-            "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" class=\"{class}{fill}{rim}\" fill=\"{}\"{weight}{anchor}{turn}{length}{halo}>{}</text>",
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" class=\"{class}{fill}{rim}\" fill=\"{}\"{weight}{anchor}{length}{halo}>{}</text>",
             number(text.size),
             hex(text.ink.light()),
             spans(text)

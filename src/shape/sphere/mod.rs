@@ -26,8 +26,8 @@ const COMFORTABLE: std::ops::Range<f64> = 1.0e-70..1.0e70; // (1e70)⁴ < f64::M
 impl Sphere {
     /// - Errors: a radius that is not positive and finite, a centre that is not finite.
     pub fn new(center: DVec3, radius: f64) -> Result<Self, ShapeError> {
-        ShapeError::check_finite("centre", center)?;
-        ShapeError::check_positive("radius", radius)?;
+        let (center, radius) =
+            (ShapeError::finite("centre", center)?, ShapeError::positive("radius", radius)?);
         Ok(Sphere { center, radius })
     }
 

@@ -187,22 +187,23 @@ fn anchors(mark: &Mark, letter: &Letter, view: &View, window: &Rect) -> Vec<At> 
         Mark::Ray { a, b, .. } => along(&[view.at(*a), view.at(*b)], letter.place),
         Mark::Curve { points, .. } => along(&view.all(points), letter.place),
         Mark::Band { p, n, depth } => band(view.at(*p), view.way(*n), *depth, window),
-        Mark::Area { points, .. } => {
-            let chain = view.all(points);
-            let middle = chain.iter().copied().sum::<DVec2>() / chain.len().max(1) as f64;
-            let within = (0..9).map(|k| {
-                let way = DVec2::from_angle(TAU * f64::from(k) / 8.0);
-                let reach = chain.iter().map(|p| p.distance(middle)).fold(f64::INFINITY, f64::min);
-                if k == 8 { on(middle, 0.0) } else { on(middle + way * reach * 0.55, 5.0) }
-            });
-            let step = chain.len().div_ceil(16).max(1);
-            let outside = chain
-                .iter()
-                .step_by(step)
-                .map(|p| beside(*p, Some((*p - middle).normalize_or(DVec2::X)), 6.0, 30.0));
-            within.chain(outside).collect()
-        }
+        Mark::Area { points, .. } => area(&view.all(points)),
     }
+}
+
+/// Places in a region, and round its edge.
+fn area(chain: &[DVec2]) -> Vec<At> {
+    let middle = chain.iter().copied().sum::<DVec2>() / chain.len().max(1) as f64;
+    let reach = chain.iter().map(|p| p.distance(middle)).fold(f64::INFINITY, f64::min);
+    let within = (0..8).map(|k| middle + DVec2::from_angle(TAU * f64::from(k) / 8.0) * reach * 0.55);
+    let within = within.map(|at| At { at, way: None, clear: 0.0, penalty: 5.0, on_it: true });
+    let center = At { at: middle, way: None, clear: 0.0, penalty: 0.0, on_it: true };
+    let step = chain.len().div_ceil(16).max(1);
+    let outside = chain.iter().step_by(step).map(|p| {
+        let way = Some((*p - middle).normalize_or(DVec2::X));
+        At { at: *p, way, clear: 6.0, penalty: 30.0, on_it: false }
+    });
+    std::iter::once(center).chain(within).chain(outside).collect()
 }
 
 /// Places along a chain: beside its middle, or at its end.

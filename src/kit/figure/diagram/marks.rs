@@ -111,16 +111,16 @@ pub fn letter_ink(mark: &Mark) -> Ink {
     }
 }
 
-/// Draws all marks, surfaces first and points last; areas end at the window.
+/// Draws all marks, surfaces and curves in the order they were added, rays above them, points last.
 pub fn draw(marks: &[Mark], view: &View, window: &Rect, drawing: &mut Drawing) {
     let rank = |mark: &Mark| match mark {
-        Mark::Area { .. } | Mark::Band { .. } => 0,
-        Mark::Curve { .. } => 1,
-        Mark::Dimension { .. } | Mark::Angle { .. } | Mark::RightAngle { .. } => 2,
-        Mark::Ray { .. } => 3,
-        _ => 4,
+        // What stands behind is added first.
+        Mark::Area { .. } | Mark::Band { .. } | Mark::Curve { .. } => 0,
+        Mark::Dimension { .. } | Mark::Angle { .. } | Mark::RightAngle { .. } => 1,
+        Mark::Ray { .. } => 2,
+        _ => 3,
     };
-    for level in 0..=4 {
+    for level in 0..=3 {
         let level_marks = marks.iter().filter(|m| rank(m) == level);
         drawing.clipped(window.grown(3.0), |d| level_marks.for_each(|m| one(m, view, d)));
     }

@@ -200,7 +200,7 @@ impl Diagram {
             self.heading.draw(&mut sketch) - if self.heading == Heading::default() { 20.0 } else { 0.0 };
         let room = dvec2(WIDTH - 2.0 * MARGIN, HEIGHT - top - MARGIN);
         let scale = (room / size).min_element();
-        let height = (top + size.y * scale + MARGIN).max(420.0).min(HEIGHT);
+        let height = (top + size.y * scale + MARGIN).clamp(420.0, HEIGHT);
         let mut drawing = Drawing { height: height.ceil(), ..sketch };
         let frame = Rect::new(MARGIN, top, WIDTH - MARGIN, drawing.height - MARGIN);
         let center = (min + max) * 0.5;
