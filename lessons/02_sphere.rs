@@ -8,33 +8,35 @@
 //! Figure:     02_sphere_speed_accuracy_time.svg
 
 use glam::DVec3;
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Guide};
 use lightbench::kit::lesson::{Lesson, Result};
-use lightbench::measure::{Method, Point, Series, Spread, Tally, log_slope, time_each};
-use lightbench::num::counted::{Counted, count};
+use lightbench::measure::{Method, Point, Series, Tally, log_slope, time_each};
 use lightbench::num::gamma;
 use lightbench::num::real::{Real, Triple};
 use lightbench::sample::{Sampler, uniform_sphere};
-use lightbench::shape::sphere::method::{self, Pair, algebraic, geometric, in_front, robust};
-use lightbench::shape::sphere::{as_printed, reference::Meeting};
+use lightbench::shape::sphere::method::{Pair, algebraic, geometric, in_front, robust};
+use lightbench::shape::sphere::reference::Meeting;
 
+#[path = "02_sphere/asides.rs"]
+mod asides;
+#[path = "02_sphere/diagrams.rs"]
+mod diagrams;
 #[path = "02_sphere/figures.rs"]
 mod figures;
+use asides::{Cost, failure_map, losses, savings};
 use figures::sci;
 
 const RADIUS: f64 = 1.0; // m
 const WIDEST: f64 = 0.9; // largest impact parameter [radii]: nearer the rim the question itself is ill-conditioned
 const HALF_DECADES: std::ops::RangeInclusive<i32> = 1..=16; // distance/radius = 10^(k/2)
 const TIMED: [f64; 3] = [1.0e2, 1.0e4, 1.0e6]; // distance/radius
-const MAP: std::ops::Range<f64> = 1.0..1.0e8; // distance/radius
 type Line<R> = (Triple<R>, Triple<R>); // f and d
 
 fn main() -> Result {
     let lesson = Lesson::open(2)?;
 
     // 1. The truth: what the words mean, two examples by hand, and lines whose meeting is known beyond f64.
-    figures::diagrams(&lesson)?;
-    figures::worked_examples(&lesson)?;
+    diagrams::all(&lesson)?;
+    diagrams::worked_examples(&lesson)?;
     let rays = lesson.pick([64, 512, 4096, 16384]);
     let sets: Vec<(f64, Vec<Line<f64>>)> = HALF_DECADES
         .map(|k| 10f64.powi(k / 2) * if k % 2 == 0 { 1.0 } else { 10f64.sqrt() })
@@ -52,18 +54,29 @@ fn main() -> Result {
     ];
 
     // 3. The figures.
-    lesson.save("speed_accuracy", figures::speed(&contest, rays))?;
+    let costs = savings(lesson.seed());
+    lesson.save("speed_accuracy", figures::speed(&contest, &costs, rays))?;
     lesson.save("stability", figures::stability(&contest, rays))?;
-    lesson.save("failures_algebraic", failure_map(&lesson, "algebraic", algebraic::<f32>))?;
-    lesson.save("failures_robust", failure_map(&lesson, "robust", robust::<f32>))?;
+    lesson.save("failures_algebraic", failure_map(&lesson, "Algebraic", algebraic::<f32>))?;
+    lesson.save("failures_robust", failure_map(&lesson, "Robust", robust::<f32>))?;
     lesson.save("normals", figures::normals(lesson.pick([48, 320, 640, 640])))?;
-    let savings = savings(lesson.seed());
-    lesson.save("savings", figures::savings(&savings))?;
+    lesson.save("savings", figures::savings(&costs))?;
     lesson.save("as_printed", figures::as_printed(&losses(lesson.seed(), rays)))?;
 
     // 4. What the figures show, checked.
-    claims(&lesson, &contest, &savings);
-    lesson.answer(&answer(&contest))
+    let [r64, a64, r32, a32] = [0, 2, 3, 5].map(|i| &contest[i].1);
+    claims(&lesson, [r64, a64, r32, a32], &costs);
+    let ns = |i: usize| costs[i].time.mid * 1.0e9;
+    lesson.say(&format!("Measured now, f64: {:.1} ns a ray by robust, {:.1} ns by algebraic.", ns(4), ns(0)));
+    lesson.answer(&format!(
+        "robust, in f64: at distance/radius 10⁶ it finds t to {} radii where the quadratic is {} off, since that subtracts \
+         numbers of size D² to see r²; it costs {:.0} operations a ray instead of {:.0}; in f32 even robust is {} radii off.",
+        sci(error_at(r64, 6)),
+        sci(error_at(a64, 6)),
+        costs[4].operations,
+        costs[0].operations,
+        sci(error_at(r32, 6)),
+    ))
 }
 
 /// Rays towards a sphere at the origin, at random places of a disc of `widest` radii across them.
@@ -100,133 +113,45 @@ fn judge<R: Real>(tally: &mut Tally, (f, d): Line<R>, found: Option<R>) {
     }
 }
 
-/// Error, failures and (at three distances) time of one method over all sets of lines.
+/// Error and failures of one method over all sets of lines, and its time over three of the sets together.
 fn measured<R: Real>(
     sets: &[(f64, Vec<Line<f64>>)],
     solve: impl Fn(Triple<R>, Triple<R>, R) -> Pair<R>,
 ) -> Series {
     let r = R::from_f64(RADIUS);
-    let point = |(distance, lines): &(f64, Vec<Line<f64>>)| -> Point {
-        let lines: Vec<Line<R>> = lines.iter().map(rounded).collect();
+    let timed = |distance: &f64| TIMED.contains(distance);
+    let all: Vec<Line<R>> =
+        sets.iter().filter(|s| timed(&s.0)).flat_map(|s| s.1.iter().map(rounded)).collect();
+    let first = |sum: R, &(f, d): &Line<R>| in_front(solve(f, d, r)).map_or(sum, |t| sum + t);
+    let time = time_each(all.len(), || all.iter().fold(R::ZERO, first));
+    let point = |(distance, lines): &(f64, Vec<Line<f64>>)| {
         let mut tally = Tally::new();
-        lines.iter().for_each(|&(f, d)| judge(&mut tally, (f, d), in_front(solve(f, d, r))));
-        let point = tally.rms_at(*distance);
-        if !TIMED.contains(distance) {
-            return point;
+        for (f, d) in lines.iter().map(rounded) {
+            judge(&mut tally, (f, d), in_front(solve(f, d, r)));
         }
-        let first = |sum: R, &(f, d): &Line<R>| in_front(solve(f, d, r)).map_or(sum, |t| sum + t);
-        point.timed(time_each(lines.len(), || lines.iter().fold(R::ZERO, first)))
+        let point = tally.rms_at(*distance);
+        if timed(distance) { point.timed(time) } else { point }
     };
     Series::new(sets.iter().map(point).collect())
 }
 
-/// Where a method in f32 fails, and how far off it is elsewhere: eight rays a cell.
-fn failure_map(
-    lesson: &Lesson,
-    name: &str,
-    solve: impl Fn(Triple<f32>, Triple<f32>, f32) -> Pair<f32>,
-) -> FailureMap {
-    let mut nearest = f64::INFINITY;
-    let cell = |distance: f64, impact: f64| {
-        let mut tally = Tally::new();
-        for i in 0..8 {
-            let mut sampler = Sampler::new(lesson.seed(), distance.to_bits() ^ impact.to_bits(), i);
-            let (direction, turn) = (uniform_sphere(sampler.next_2d()), sampler.next_1d());
-            let (f, d) = rounded::<f32>(&line_at(direction, distance, impact, turn));
-            judge(&mut tally, (f, d), in_front(solve(f, d, RADIUS as f32)));
-        }
-        if tally.failures().total() > 0 {
-            nearest = if impact < WIDEST { nearest.min(distance) } else { nearest };
-            return None;
-        }
-        Some(Spread::median(&tally.errors()).map_or(0.0, |error| error.mid))
-    };
-    let across = Axis::log("distance / radius").range(MAP.start, MAP.end);
-    let up = Axis::linear("distance of the line from the centre / radius").range(0.0, 1.4);
-    let cells = lesson.pick([(24, 14), (80, 56), (160, 112), (320, 224)]);
-    let map = FailureMap::new(across, up, "error of t_0, radii", cells, cell).range(1.0e-8, 1.0);
-    figures::failure_words(map, name, nearest)
-}
-
-/// What a way to the first meeting costs per ray.
-pub struct Cost {
-    name: &'static str,
-    operations: f64,
-    roots: f64,
-    time: Spread,
-}
-
-/// Counted work and time, on rays every second of which misses.
-fn savings(seed: u64) -> [Cost; 5] {
-    let lines = lines(seed, 1024, 100.0, std::f64::consts::SQRT_2);
-    let n = lines.len() as f64;
-    let cost = |name, counted: fn(Line<Counted>) -> Option<Counted>, plain: &dyn Fn() -> f64| {
-        let (done, _) = count(|| lines.iter().filter_map(|l| counted(rounded(l))).count());
-        Cost {
-            name,
-            operations: done.total() as f64 / n,
-            roots: done.roots as f64 / n,
-            time: time_each(lines.len(), plain),
-        }
-    };
-    macro_rules! way {
-        ($name:literal, $solve:expr) => {
-            cost($name, |(f, d)| $solve(f, d, Counted(RADIUS)), &|| {
-                lines.iter().filter_map(|&(f, d)| $solve(f, d, RADIUS)).sum()
-            })
-        };
-    }
-    [
-        way!("algebraic, both roots at once", |f, d, r| in_front(algebraic(f, d, r))),
-        way!("algebraic, second root if needed [C]", method::algebraic_first),
-        way!("geometric, d against r", |f, d, r| in_front(method::geometric_by_length(f, d, r))),
-        way!("geometric, d² against r² [B]", |f, d, r| in_front(geometric(f, d, r))),
-        way!("robust (default)", |f, d, r| in_front(robust(f, d, r))),
-    ]
-}
-
-/// Rays lost, of `rays` that all hit, by the listings as printed: plain, small sphere, origin inside, tangent.
-fn losses(seed: u64, rays: u32) -> Vec<(&'static str, [usize; 4], u32)> {
-    let (plain, inside) = (lines(seed, rays, 10.0, WIDEST), lines(seed, rays, 0.5, 0.5));
-    let tangent: Vec<Line<f64>> = (1..=rays).map(|k| ([0.0, 1.0, -f64::from(k)], [0.0, 0.0, 1.0])).collect();
-    type First = fn(Triple<f64>, Triple<f64>, f64) -> Option<f64>;
-    let ways: [(&str, First); 4] = [
-        ("[A ill. 57] D < 10⁻⁶ is a miss", as_printed::with_fixed_epsilon),
-        ("[B §6.2.1] t_ca < 0 is a miss", |f, d, r| in_front(as_printed::with_centre_in_front(f, d, r))),
-        ("[C §1.6.1] D ≤ 0 is a miss", as_printed::without_tangent),
-        ("robust (default)", |f, d, r| in_front(robust(f, d, r))),
-    ];
-    let lost = |solve: First, lines: &[Line<f64>], scale: f64| {
-        lines.iter().filter(|(f, d)| solve(f.map(|x| x * scale), *d, RADIUS * scale).is_none()).count()
-    };
-    let sets = |s: First| {
-        [lost(s, &plain, 1.0), lost(s, &plain, 1.0e-4), lost(s, &inside, 1.0), lost(s, &tangent, 1.0)]
-    };
-    ways.into_iter().map(|(name, solve)| (name, sets(solve), rays)).collect()
-}
-
-/// Root-mean-square errors of a contestant at a distance of `10^exponent` radii, and its time there.
-fn at(series: &Series, exponent: i32) -> (f64, f64) {
+/// Root-mean-square error of a contestant at a distance of `10^exponent` radii.
+fn error_at(series: &Series, exponent: i32) -> f64 {
     let point = series.points.iter().find(|p| p.parameter == 10f64.powi(exponent));
-    point.map_or((f64::NAN, f64::NAN), |p| {
-        (p.error.map_or(f64::NAN, |e| e.mid), p.time.map_or(f64::NAN, |t| t.mid))
-    })
+    point.and_then(|p| p.error).map_or(f64::NAN, |e| e.mid)
 }
 
-fn claims(lesson: &Lesson, contest: &[(Method, Series)], savings: &[Cost]) {
-    let [robust64, _, algebraic64, robust32, _, algebraic32] = [0, 1, 2, 3, 4, 5].map(|i| &contest[i].1);
-    let far = |s: &Series| {
-        Series::new(
-            s.points.iter().filter(|p| p.parameter >= 1.0e2 && p.parameter <= 1.0e6).cloned().collect(),
-        )
-    };
-    let (gentle, steep) = (log_slope(&far(robust64), 1), log_slope(&far(algebraic64), 1));
+/// `[low, high]` of the distances.
+fn between(series: &Series, low: f64, high: f64) -> Series {
+    Series::new(series.points.iter().filter(|p| p.parameter >= low && p.parameter <= high).cloned().collect())
+}
+
+fn claims(lesson: &Lesson, [robust64, algebraic64, robust32, algebraic32]: [&Series; 4], costs: &[Cost; 5]) {
+    let slope = |s| log_slope(&between(s, 1.0e2, 1.0e6), 1).value;
+    let (gentle, steep) = (slope(robust64), slope(algebraic64));
     lesson.claim(
-        &format!(
-            "In f64 the error of t grows as the distance to the {:.2} (robust) and to the {:.2} (algebraic).",
-            gentle.value, steep.value
-        ),
-        (gentle.value - 1.0).abs() < 0.1 && (steep.value - 2.0).abs() < 0.1,
+        &format!("In f64 the error of t grows with the distance to the power {gentle:.2} (robust), {steep:.2} (algebraic)."),
+        (gentle - 1.0).abs() < 0.1 && (steep - 2.0).abs() < 0.1,
     );
     // 4 roundings of f·f, 5 of q, one of the quotient: 11 u D with t's own; and 2√3 u D across the line, 2.06 times
     // as much along it at 0.9 r: 19 u D in all.
@@ -236,9 +161,7 @@ fn claims(lesson: &Lesson, contest: &[(Method, Series)], savings: &[Cost]) {
         "In f64 robust loses no ray up to 10⁸ radii, and errs by less than 19 roundings of the distance.",
         robust64.points.iter().all(bound),
     );
-    let lost = |s: &Series| {
-        s.points.iter().filter(|p| p.parameter <= 1.0e5).map(|p| p.failures.total()).sum::<u64>()
-    };
+    let lost = |s| between(s, 1.0, 1.0e5).failures().total();
     lesson.claim(
         &format!(
             "In f32, up to 10⁵ radii, algebraic answers {} rays wrongly, robust {}.",
@@ -247,27 +170,8 @@ fn claims(lesson: &Lesson, contest: &[(Method, Series)], savings: &[Cost]) {
         ),
         lost(algebraic32) > 0 && lost(robust32) == 0,
     );
-    let saved = [savings[0].operations - savings[1].operations, savings[2].roots - savings[3].roots];
     lesson.claim(
-        &format!(
-            "C's early exit saves {:.2} of {:.1} operations a ray, B's d² test {:.2} of {:.2} square roots.",
-            saved[0], savings[0].operations, saved[1], savings[2].roots
-        ),
-        saved[0] > 0.0 && saved[1] == 1.0,
+        "C's early exit saves operations on rays that hit, B's d² test a square root on every ray.",
+        costs[1].operations < costs[0].operations && costs[2].roots - costs[3].roots == 1.0,
     );
-}
-
-fn answer(contest: &[(Method, Series)]) -> String {
-    let [(robust64, time), (algebraic64, school), (robust32, single)] =
-        [0, 2, 3].map(|i| at(&contest[i].1, 6));
-    format!(
-        "robust, in f64: at distance/radius 10⁶ it puts t within {} radii where the quadratic is {} off (it subtracts two \
-         numbers of size D² to find r²), for {:.1} ns a ray instead of {:.1}; in f32 ({:.1} ns) even robust is {} radii off.",
-        sci(robust64),
-        sci(algebraic64),
-        time * 1.0e9,
-        school * 1.0e9,
-        single * 1.0e9,
-        sci(robust32)
-    )
 }
