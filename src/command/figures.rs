@@ -44,7 +44,7 @@ pub(super) fn figures(flags: &Flags) -> Result<String, Failure> {
     let mut failed = Vec::new();
     for (i, entry) in chosen.iter().enumerate() {
         if stop_flag().load(Ordering::Relaxed) {
-            return Err(Failure::interrupted());
+            return Err(Failure::interrupted(&entry.program()));
         }
         let run = lesson_command(&programs, entry, &folder, flags).output();
         let run = run.map_err(|e| Failure::work(format!("{}: cannot be run: {e}", entry.program())))?;

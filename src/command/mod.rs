@@ -10,16 +10,18 @@ mod render;
 
 use crate::film::file::FileError;
 use crate::kit::flags::Flags;
+use crate::kit::progress::say;
 use crate::probe;
+use crate::scene_file::Color;
 use clap::{Parser, Subcommand};
 use compare::CompareError;
-use std::io::{Read, Write};
+use std::io::{IsTerminal, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// An optical bench for learning light transport.
 #[derive(Parser)]
-#[command(name = "lightbench", version, about, max_term_width = 100)]
+#[command(name = "lightbench", version, propagate_version = true, max_term_width = 100)]
 struct Cli {
     #[command(subcommand)]
     verb: Verb,
@@ -36,10 +38,15 @@ enum Verb {
     /// Render scene files
     Render(render::RenderArgs),
     /// Compare two pictures: errors in numbers, and where they lie as a picture
-    Compare { a: PathBuf, b: PathBuf },
-    /// Report every problem in scene files
+    Compare {
+        /// The picture to judge
+        a: PathBuf,
+        /// The reference
+        b: PathBuf,
+    },
+    /// Report every problem in scene files (`--list` shows what may stand in one)
     Check {
-        #[arg(required = true)]
+        /// Scene files
         files: Vec<PathBuf>,
     },
     /// Evaluate a library function on each row of a table from stdin (`--list` shows the topics)
@@ -49,6 +56,9 @@ enum Verb {
         /// How, where there are several ways
         #[arg(long)]
         method: Option<String>,
+        /// A file with data, for topics that need one
+        #[arg(long, value_name = "FILE")]
+        data: Option<PathBuf>,
     },
 }
 
@@ -65,8 +75,8 @@ impl Failure {
     }
 
     /// Ctrl-C: the shell's code for an interrupt.
-    pub(crate) fn interrupted() -> Self {
-        Failure { code: 130, message: "interrupted: nothing was written".to_string() }
+    pub(crate) fn interrupted(name: &str) -> Self {
+        Failure { code: 130, message: format!("interrupted: {name} was not written") }
     }
 
     /// Something that could not be done: exit code 1.
@@ -89,14 +99,16 @@ pub fn main() -> ExitCode {
         Verb::Figures => figures::figures(&cli.flags),
         Verb::Render(args) => render::render(&args, &cli.flags),
         Verb::Compare { a, b } => compare_pictures(&a, &b, &cli.flags),
-        Verb::Check { files } => check_files(&files),
-        Verb::Probe { topic, method } => probe_table(topic.as_deref(), method.as_deref(), &cli.flags),
+        Verb::Check { files } => check_files(&files, &cli.flags),
+        Verb::Probe { topic, method, data } => {
+            probe_table(topic.as_deref(), method.as_deref(), data.as_deref(), &cli.flags)
+        }
     };
     match done.and_then(|text| print(&text)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             let end = if failure.message.ends_with('\n') { "" } else { "\n" };
-            eprint!("{}{end}", failure.message);
+            say(&format!("{}{end}", failure.message));
             ExitCode::from(failure.code)
         }
     }
@@ -104,13 +116,20 @@ pub fn main() -> ExitCode {
 
 /// Prints a result; a reader that closed the pipe has read enough.
 fn print(text: &str) -> Result<(), Failure> {
-    match std::io::stdout().write_all(text.as_bytes()) {
+    let mut stdout = std::io::stdout();
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::work(format!("stdout: {e}"))),
         _ => Ok(()),
     }
 }
 
-fn probe_table(topic: Option<&str>, method: Option<&str>, flags: &Flags) -> Result<String, Failure> {
+/// Answers the table on stdin. What is wrong with the command itself is said before anything is read.
+fn probe_table(
+    topic: Option<&str>,
+    method: Option<&str>,
+    data: Option<&Path>,
+    flags: &Flags,
+) -> Result<String, Failure> {
     if flags.list {
         return Ok(probe::list());
     }
@@ -118,9 +137,18 @@ fn probe_table(topic: Option<&str>, method: Option<&str>, flags: &Flags) -> Resu
         return Err(Failure::input("probe: which topic? `probe --list` shows them"));
     };
     let topic = probe::topic(topic).map_err(|e| Failure::input(format!("probe: {e}")))?;
+    let wrong = |e: probe::ProbeError| Failure::input(format!("probe {}: {e}", topic.name));
+    topic.method(method).map_err(wrong)?;
+    if let Some(data) = data {
+        let message = "this topic takes no data; expected no --data, found";
+        return Err(Failure::input(format!("probe {}: {message} `{}`", topic.name, data.display())));
+    }
+    if std::io::stdin().is_terminal() && !flags.quiet {
+        say("probe: reading a table from the terminal; Ctrl-D ends it\n");
+    }
     let mut input = Vec::new();
-    std::io::stdin().read_to_end(&mut input).map_err(|e| Failure::work(format!("stdin: {e}")))?;
-    probe::run(topic, method, &input).map_err(|e| Failure::input(format!("probe {}: {e}", topic.name)))
+    std::io::stdin().read_to_end(&mut input).map_err(|e| Failure::input(format!("stdin: {e}")))?;
+    probe::run(topic, method, &input).map_err(wrong)
 }
 
 /// Compares, and puts the error picture beside the other results.
@@ -134,8 +162,15 @@ fn compare_pictures(a: &Path, b: &Path, flags: &Flags) -> Result<String, Failure
 }
 
 /// Checks scene files one after the other; the reports are the result, and a file with problems fails.
-fn check_files(files: &[PathBuf]) -> Result<String, Failure> {
-    let color = render::stderr_color();
+fn check_files(files: &[PathBuf], flags: &Flags) -> Result<String, Failure> {
+    if flags.list {
+        return Ok(crate::scene_file::reference());
+    }
+    if files.is_empty() {
+        return Err(Failure::input("check: expected scene files, found none"));
+    }
+    // Right files are reported on stdout, wrong ones on stderr: colours only where neither is a file.
+    let color = if std::io::stdout().is_terminal() { render::stderr_color() } else { Color::Never };
     let reports: Vec<_> = files.iter().map(|file| check::check(file, color)).collect();
     let (right, wrong): (Vec<_>, Vec<_>) = reports.into_iter().partition(|r| r.problems == 0);
     let texts = |reports: Vec<check::CheckReport>| reports.into_iter().map(|r| r.text).collect::<String>();

@@ -41,8 +41,8 @@ pub struct Flags {
     /// Seed of every random number: same seed, same bytes [default: 0]
     #[arg(long, global = true)]
     pub seed: Option<u64>,
-    /// Number of threads [default: one for each core]
-    #[arg(long, value_name = "N", global = true, value_parser = clap::value_parser!(u16).range(1..))]
+    /// Number of threads, at most 1024 [default: one for each core]
+    #[arg(long, value_name = "N", global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
     /// Width of pictures [pixels]
     #[arg(long, value_name = "PX", global = true, value_parser = clap::value_parser!(u16).range(1..))]
@@ -97,7 +97,7 @@ impl Flags {
     }
 
     /// The flags that decide what is computed, as they would be typed: without `--out`, `--threads`,
-    /// `--quiet`, which change nothing in the result.
+    /// `--quiet`, which change nothing in the result, and without those that say what is the default anyway.
     pub fn canonical(&self) -> String {
         let mut out = String::new();
         let mut add = |name: &str, value: Option<String>| {
@@ -105,14 +105,23 @@ impl Flags {
                 out += &format!(" --{name} {value}");
             }
         };
-        add("quality", self.quality.map(|q| q.name().to_string()));
-        add("seed", self.seed.map(|n| n.to_string()));
+        add("quality", self.quality.filter(|q| *q != Quality::default()).map(|q| q.name().to_string()));
+        add("seed", self.seed.filter(|n| *n != 0).map(|n| n.to_string()));
         add("width", self.width.map(|n| n.to_string()));
         add("height", self.height.map(|n| n.to_string()));
         add("spp", self.spp.map(|n| n.to_string()));
-        add("only", self.only.clone());
+        add("only", self.only.as_deref().map(quoted));
         let format = |f: PictureFormat| f.to_possible_value().map(|v| v.get_name().to_string());
-        add("format", self.format.and_then(format));
+        add("format", self.format.filter(|f| *f != PictureFormat::Png).and_then(format));
         out
     }
+}
+
+/// A word as a shell takes it back: in quotes if it has to be.
+pub fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "/._-+,:=@%".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        return word.to_string();
+    }
+    format!("'{}'", word.replace('\'', "'\\''"))
 }

@@ -1,7 +1,7 @@
 //! Progress on stderr, and the polite way to be stopped.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
@@ -60,7 +60,7 @@ impl Progress {
         if due && self.last_line.compare_exchange(last, seconds, Ordering::Relaxed, Ordering::Relaxed).is_ok()
         {
             let left = if share > 0.0 { seconds as f64 * (1.0 - share) / share } else { f64::INFINITY };
-            eprintln!("{}: {:.0} % after {seconds} s, {left:.0} s left", self.name, 100.0 * share);
+            say(&format!("{}: {:.0} % after {seconds} s, {left:.0} s left\n", self.name, 100.0 * share));
         }
     }
 
@@ -71,10 +71,15 @@ impl Progress {
             bar.finish_and_clear();
         }
         if !self.quiet {
-            eprintln!("{}: {:.2} s, {work}", self.name, elapsed.as_secs_f64());
+            say(&format!("{}: {:.2} s, {work}\n", self.name, elapsed.as_secs_f64()));
         }
         elapsed
     }
+}
+
+/// Says something on stderr. Whoever closed it does not want to know; that is no reason to fail, as `eprint!` would.
+pub fn say(text: &str) {
+    let _ = std::io::stderr().write_all(text.as_bytes());
 }
 
 /// A flag that Ctrl-C sets, so that work can stop and leave nothing half-done; the second Ctrl-C kills.

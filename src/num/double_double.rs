@@ -3,6 +3,8 @@
 //! A rounded sum or product loses a remainder that is itself an `f64`; keeping it costs a few more
 //! roundings. Here a predicate goes when plain `f64` cannot decide it (see [`super::certified`]).
 
+use super::U;
+use super::real::Real;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `a + b = s + e` exactly, `s` the rounded sum.
@@ -17,7 +19,7 @@ pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// As [`two_sum`], where `|a| ≥ |b|` or `a = 0`.
 #[inline]
-fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
+pub fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     (s, b - (s - a))
 }
@@ -45,12 +47,25 @@ pub fn two_product(a: f64, b: f64) -> (f64, f64) {
     (p, ((ah * bh - p) + ah * bl + al * bh) + al * bl)
 }
 
+/// `a b − c d` with a relative error of at most `3 u`, however much of it cancels.
+///
+/// - Domain: that of [`two_product`] for both products.
+/// - Source: W. Kahan's algorithm; bound by Jeannerod, Louvet & Muller (2013), here without FMA:
+///   both products exact, three roundings, of which the last two cannot cancel.
+#[inline]
+pub fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+    let (p, pe) = two_product(a, b);
+    let (q, qe) = two_product(c, d);
+    let (s, se) = two_sum(p, -q);
+    s + (se + (pe - qe))
+}
+
 /// `high + low`, with `|low|` at most half a unit in the last place of `high`.
 ///
 /// - Accuracy: relative error of a sum at most `3·2⁻¹⁰⁶`, of a product `5·2⁻¹⁰⁶`, of a quotient `10·2⁻¹⁰⁶`.
 /// - Source: Joldes, Muller & Popescu, *Tight and rigorous error bounds for basic building blocks of
 ///   double-word arithmetic*, ACM TOMS 44(2) (2017).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct DoubleDouble {
     pub high: f64,
     pub low: f64,
@@ -60,8 +75,15 @@ impl DoubleDouble {
     pub const ZERO: Self = DoubleDouble { high: 0.0, low: 0.0 };
 
     #[inline]
-    pub fn of(x: f64) -> Self {
+    pub const fn of(x: f64) -> Self {
         DoubleDouble { high: x, low: 0.0 }
+    }
+
+    /// `a + b`, exactly.
+    #[inline]
+    pub fn sum(a: f64, b: f64) -> Self {
+        let (high, low) = two_sum(a, b);
+        DoubleDouble { high, low }
     }
 
     /// `a − b`, exactly.
@@ -76,6 +98,27 @@ impl DoubleDouble {
     pub fn product(a: f64, b: f64) -> Self {
         let (high, low) = two_product(a, b);
         DoubleDouble { high, low }
+    }
+
+    #[inline]
+    pub fn square(self) -> Self {
+        let (p, e) = two_product(self.high, self.high);
+        let (high, low) = quick_two_sum(p, e + 2.0 * (self.high * self.low));
+        DoubleDouble { high, low }
+    }
+
+    /// Times an `f64`.
+    #[inline]
+    pub fn scale(self, by: f64) -> Self {
+        let (p, e) = two_product(self.high, by);
+        let (high, low) = quick_two_sum(p, e + self.low * by);
+        DoubleDouble { high, low }
+    }
+
+    /// Times a power of two, exactly (barring underflow).
+    #[inline]
+    pub fn shift(self, power_of_two: f64) -> Self {
+        DoubleDouble { high: self.high * power_of_two, low: self.low * power_of_two }
     }
 
     /// The nearest `f64`.
@@ -142,8 +185,28 @@ impl Div for DoubleDouble {
         if !q.is_finite() {
             return Self::of(q);
         }
-        let rest = self - other * Self::of(q);
+        let rest = self - other.scale(q);
         let (high, low) = quick_two_sum(q, rest.high / other.high);
         DoubleDouble { high, low }
+    }
+}
+
+impl Real for DoubleDouble {
+    const ZERO: Self = DoubleDouble::ZERO;
+    const ROUNDOFF: f64 = 16.0 * U * U; // covers every operation above: a quotient errs by 10 u² at most
+    #[inline]
+    fn from_f64(x: f64) -> Self {
+        DoubleDouble::of(x)
+    }
+    #[inline]
+    fn to_f64(self) -> f64 {
+        self.high
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        DoubleDouble::sqrt(self)
+    }
+    fn with_sign_of(self, sign: Self) -> Self {
+        if self.high.is_sign_negative() == sign.high.is_sign_negative() { self } else { -self }
     }
 }

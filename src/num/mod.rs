@@ -1,8 +1,13 @@
 //! Numbers: rounding bounds, polynomial roots, sums.
 
 pub mod certified;
+pub mod counted;
+pub mod cubic;
 pub mod double_double;
 pub mod expansion;
+pub mod polynomial;
+pub mod quadratic;
+pub mod quartic;
 pub mod real;
 pub mod statistics;
 pub mod sum;

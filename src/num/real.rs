@@ -15,6 +15,8 @@ pub trait Real:
     + Neg<Output = Self>
 {
     const ZERO: Self;
+    /// Bound on the relative error of one operation.
+    const ROUNDOFF: f64;
     /// Rounds to the nearest value of the type.
     fn from_f64(x: f64) -> Self;
     fn to_f64(self) -> f64;
@@ -27,6 +29,7 @@ macro_rules! real {
     ($float:ty) => {
         impl Real for $float {
             const ZERO: Self = 0.0;
+            const ROUNDOFF: f64 = <$float>::EPSILON as f64 / 2.0;
             #[inline(always)]
             fn from_f64(x: f64) -> Self {
                 x as $float

@@ -7,6 +7,7 @@ mod camera;
 mod colour;
 mod sphere_box;
 mod surface;
+mod torus;
 
 use crate::ray::Ray;
 use glam::DVec3;
@@ -26,6 +27,8 @@ pub const TOPICS: &[Topic] = &[
     surface::RAY_CYLINDER,
     surface::RAY_CONE,
     surface::RAY_QUADRIC,
+    torus::RAY_TORUS,
+    torus::QUARTIC_ROOTS,
 ];
 
 /// A topic: one function of the library, or several methods for the same question.
@@ -41,6 +44,22 @@ pub struct Topic {
     pub outputs: &'static [(&'static str, &'static str)],
     /// Answers one row; `method` is one of `methods`.
     pub answer: fn(&Row, &str) -> Result<Vec<Cell>, RowError>,
+}
+
+impl Topic {
+    /// The method of that name, or the default; the empty name where there is one way only.
+    ///
+    /// - Errors: unknown name; the message lists those that exist.
+    pub fn method(&self, name: Option<&str>) -> Result<&'static str, ProbeError> {
+        let Some(found) = name else { return Ok(self.methods.first().map_or("", |m| m.0)) };
+        self.methods.iter().map(|m| m.0).find(|m| *m == found).ok_or_else(|| {
+            let expected = match self.methods {
+                [] => "no --method, for there is one way only".to_string(),
+                methods => format!("one of: {}", names(methods.iter().map(|m| m.0))),
+            };
+            ProbeError::UnknownMethod { topic: self.name, found: found.to_string(), expected }
+        })
+    }
 }
 
 /// One value of an answer.
@@ -119,10 +138,18 @@ impl Row<'_> {
 pub enum ProbeError {
     #[error("no topic is called `{found}`; expected one of: {expected}")]
     UnknownTopic { found: String, expected: String },
-    #[error("topic {topic} has no method `{found}`; expected one of: {expected}")]
+    #[error("topic {topic} has no method `{found}`; expected {expected}")]
     UnknownMethod { topic: &'static str, found: String, expected: String },
-    #[error("line 1: the header lacks the column `{column}` of topic {topic}; expected {expected}")]
-    MissingColumn { topic: &'static str, column: &'static str, expected: String },
+    #[error(
+        "line {line}: the header lacks the column `{column}` of topic {topic}; expected {expected}; found {found}"
+    )]
+    MissingColumn { line: u64, topic: &'static str, column: &'static str, expected: String, found: String },
+    #[error("line {line}, column {number}: the header has the column `{column}` twice; expected it once")]
+    TwiceColumn { line: u64, number: usize, column: &'static str },
+    #[error("line {line}: expected {expected} cells, as in the header, found {found}")]
+    Cells { line: u64, expected: u64, found: u64 },
+    #[error("line {line}, column {number}: expected UTF-8 text, found other bytes")]
+    Utf8 { line: u64, number: usize },
     #[error("line {line}, column {number} (`{column}`): expected {expected}, found {found}", column = error.column, expected = error.expected, found = error.found)]
     Row { line: u64, number: usize, error: RowError },
     #[error("line {line}: {source}")]
@@ -148,36 +175,66 @@ pub fn topic(name: &str) -> Result<&'static Topic, ProbeError> {
 ///
 /// - Errors: the first row that cannot be answered, by line and column; there is no partial answer.
 pub fn run(topic: &'static Topic, method: Option<&str>, input: &[u8]) -> Result<String, ProbeError> {
-    let method = match method {
-        None => topic.methods.first().map_or("", |m| m.0),
-        Some(found) => topic.methods.iter().map(|m| m.0).find(|m| *m == found).ok_or_else(|| {
-            let expected = names(topic.methods.iter().map(|m| m.0));
-            ProbeError::UnknownMethod { topic: topic.name, found: found.to_string(), expected }
-        })?,
-    };
+    let method = topic.method(method)?;
+    let input = input.strip_prefix("\u{feff}".as_bytes()).unwrap_or(input);
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(input);
-    let header = reader.headers().map_err(|source| ProbeError::Csv { line: 1, source })?.clone();
-    let place = |column: &'static str| {
-        header.iter().position(|name| name.trim_start_matches('\u{feff}') == column).ok_or_else(|| {
-            let expected = names(topic.inputs.iter().map(|i| i.0));
-            ProbeError::MissingColumn { topic: topic.name, column, expected }
-        })
-    };
-    let places = topic.inputs.iter().map(|(column, _)| place(column)).collect::<Result<Vec<_>, _>>()?;
+    let header = reader.headers().map_err(|e| unreadable(input, 0, e))?.clone();
+    let places = places(topic, &header, line_at(input, 0))?;
     let mut out = topic.outputs.iter().map(|o| o.0).collect::<Vec<_>>().join(",");
     out.push('\n');
-    for record in reader.records() {
-        let line = |p: Option<&csv::Position>| p.map_or(0, csv::Position::line);
-        let record = record.map_err(|source| ProbeError::Csv { line: line(source.position()), source })?;
+    let mut record = csv::StringRecord::new();
+    loop {
+        let start = reader.position().byte();
+        if !reader.read_record(&mut record).map_err(|e| unreadable(input, start, e))? {
+            return Ok(out);
+        }
         let row = Row { inputs: topic.inputs, places: &places, record: &record };
         let cells = (topic.answer)(&row, method).map_err(|error| {
             let number = header.iter().position(|name| name == error.column).map_or(0, |i| i + 1);
-            ProbeError::Row { line: line(record.position()), number, error }
+            ProbeError::Row { line: line_at(input, start), number, error }
         })?;
         debug_assert_eq!(cells.len(), topic.outputs.len(), "topic {} answers its columns", topic.name);
         write_row(&mut out, &cells);
     }
-    Ok(out)
+}
+
+/// Where each input of the topic stands in the header.
+fn places(topic: &Topic, header: &csv::StringRecord, line: u64) -> Result<Vec<usize>, ProbeError> {
+    let place = |column: &'static str| {
+        let mut found = header.iter().enumerate().filter(|(_, name)| *name == column).map(|(i, _)| i);
+        let Some(place) = found.next() else {
+            let expected = names(topic.inputs.iter().map(|i| i.0));
+            let found = if header.is_empty() { "nothing".to_string() } else { names(header.iter()) };
+            return Err(ProbeError::MissingColumn { line, topic: topic.name, column, expected, found });
+        };
+        match found.next() {
+            Some(again) => Err(ProbeError::TwiceColumn { line, number: again + 1, column }),
+            None => Ok(place),
+        }
+    };
+    topic.inputs.iter().map(|(column, _)| place(column)).collect()
+}
+
+/// Line of the record that is read from a byte on. The reader's own count misses the second half of a CR LF, and
+/// the empty lines that it skips.
+fn line_at(input: &[u8], start: u64) -> u64 {
+    let start = usize::try_from(start).unwrap_or(input.len()).min(input.len());
+    let skipped = input[start..].iter().take_while(|b| matches!(b, b'\r' | b'\n')).count();
+    let before = &input[..start + skipped];
+    let lone = |i: usize| before[i] == b'\r' && before.get(i + 1) != Some(&b'\n');
+    1 + (0..before.len()).filter(|&i| before[i] == b'\n' || lone(i)).count() as u64
+}
+
+/// What the reader of tables refuses, in our words.
+fn unreadable(input: &[u8], start: u64, source: csv::Error) -> ProbeError {
+    let line = line_at(input, start);
+    match source.kind() {
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+            ProbeError::Cells { line, expected: *expected_len, found: *len }
+        }
+        csv::ErrorKind::Utf8 { err, .. } => ProbeError::Utf8 { line, number: err.field() + 1 },
+        _ => ProbeError::Csv { line, source },
+    }
 }
 
 /// Numbers are printed with the fewest digits that read back exactly.

@@ -31,6 +31,10 @@ pub struct Picture {
 }
 
 impl Picture {
+    fn tiles(&self) -> usize {
+        self.width.div_ceil(TILE) * self.height.div_ceil(TILE)
+    }
+
     /// Where in the pixel sample `s` lies: the cell centres of a square grid when the number of samples is a
     /// square, as for D's 1, 4 and 16 [D §3.3.6], else a low-discrepancy set.
     pub fn offset(&self, s: u32) -> DVec2 {
@@ -48,7 +52,7 @@ impl Picture {
 pub struct Control<'a> {
     /// Number of threads; 0 for as many as there are cores.
     pub threads: usize,
-    /// Set to stop at the next tile.
+    /// Set to stop at the next pixel.
     pub stop: &'a AtomicBool,
     /// Called now and then, from any thread, with the share of the picture that is done, in [0,1].
     pub progress: &'a (dyn Fn(f64) + Sync),
@@ -91,7 +95,9 @@ pub fn render_with<I: Integrator>(
     if control.threads == 0 {
         return render_tiles(scene, integrator, picture, control);
     }
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(control.threads).build();
+    // A thread without a tile would only be started and stopped.
+    let threads = control.threads.min(picture.tiles().max(1));
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|e| RenderError::Threads(e.to_string()))?;
     pool.install(|| render_tiles(scene, integrator, picture, control))
 }
@@ -104,18 +110,18 @@ fn render_tiles<I: Integrator>(
 ) -> Result<Rendered, RenderError> {
     let Picture { width, height, .. } = picture;
     let columns = width.div_ceil(TILE);
-    let tiles = columns * height.div_ceil(TILE);
+    let tiles = picture.tiles();
     let done = AtomicU64::new(0);
     let work = |tile: usize| {
-        if control.stop.load(Ordering::Relaxed) {
-            return None;
-        }
         let (x0, y0) = (tile % columns * TILE, tile / columns * TILE);
         let mut tally = Tally::default();
         let mut scratch = integrator.scratch(scene);
         let mut pixels = Vec::with_capacity(TILE * TILE);
         for y in y0..(y0 + TILE).min(height) {
             for x in x0..(x0 + TILE).min(width) {
+                if control.stop.load(Ordering::Relaxed) {
+                    return None;
+                }
                 pixels.push(pixel(scene, integrator, picture, (x, y), &mut scratch, &mut tally));
             }
         }

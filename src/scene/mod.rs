@@ -1,6 +1,7 @@
 //! A scene: camera, objects with their materials, lights, background.
 
 mod camera;
+pub mod pinhole;
 
 pub use camera::{
     Camera, CameraError, FieldOfView, camera_from_screen, ndc_from_raster, obscura_from_camera,

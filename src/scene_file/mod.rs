@@ -21,12 +21,22 @@ mod suggest;
 mod token;
 mod value;
 
+pub use blocks::MOST_PIXELS;
 pub use diagnostic::{Diagnostic, Diagnostics, Place, Severity, Span};
 pub use reference::reference;
 pub use render::Color;
 pub use source::{LARGEST_FILE, ReadError, read_bytes, read_file};
 
 use crate::scene::Scene;
+
+/// Which settings of the picture a file gives itself; the rest are the document's defaults, which a quality
+/// that was asked for may replace.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Given {
+    pub width: bool,
+    pub height: bool,
+    pub samples: bool,
+}
 
 /// The picture and its quality [D §4.3].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +55,7 @@ pub struct Settings {
     pub indirect_quality: u32,
     /// Multiplies indirect light.
     pub color_bleeding: f64,
+    pub given: Given,
 }
 
 impl Default for Settings {
@@ -58,6 +69,7 @@ impl Default for Settings {
             reflection_steps: 1,
             indirect_quality: 3,
             color_bleeding: 1.0,
+            given: Given::default(),
         }
     }
 }

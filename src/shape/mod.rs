@@ -10,6 +10,7 @@ pub mod plane;
 pub mod polygon;
 pub mod quadric;
 pub mod sphere;
+pub mod torus;
 pub mod triangle;
 
 use crate::bounds::Aabb;
@@ -37,6 +38,8 @@ pub enum ShapeError {
     NoEquation { what: &'static str },
     #[error("{what}: expected a map that keeps space three-dimensional, found one that squashes it flat")]
     Flat { what: &'static str },
+    #[error("torus: expected ring radius > tube radius > 0, found ring {ring} and tube {tube}")]
+    NotARing { ring: f64, tube: f64 },
     #[error("polygon: expected at least 3 vertices, found {found}")]
     TooFewVertices { found: usize },
     #[error("polygon: expected vertices within {allowed} of one plane, found one at {found}")]

@@ -1,1 +1,10 @@
+//! The `lightbench` command as its users meet it: what it prints, what it writes, how it ends.
 
+mod bench;
+mod check;
+mod compare;
+mod interrupt;
+mod probe;
+mod quality;
+mod render;
+mod usage;

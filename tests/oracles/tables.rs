@@ -1,6 +1,6 @@
 //! Each topic of `probe` against its table.
 
-use super::truth::{all_right, columns, faces, sphere_roots, wrong_rows};
+use super::truth::{all_right, columns, faces, quartic_roots, sphere_roots, torus_roots, wrong_rows};
 
 #[test]
 fn spheres_agree_with_their_table() {
@@ -51,4 +51,45 @@ fn transformed_normals_agree_with_their_table() {
         include_str!("../data/normal_transform.csv"),
         columns(&["tnx", "tny", "tnz"], 1e-9),
     );
+}
+
+#[test]
+fn tori_agree_with_their_table() {
+    all_right("ray_torus", include_str!("../data/ray_torus.csv"), torus_roots);
+}
+
+/// The table tells methods apart, and the more the less is done about rounding.
+#[test]
+fn the_table_catches_other_ways_to_meet_a_torus() {
+    let least =
+        [("as_printed", 200), ("recentred", 80), ("ferrari", 10), ("bracketed", 10), ("marching", 20)];
+    for (method, least) in least {
+        let (_, wrong) =
+            wrong_rows("ray_torus", Some(method), include_str!("../data/ray_torus.csv"), torus_roots);
+        assert!(wrong.len() >= least, "{method}: only {} rows wrong", wrong.len());
+    }
+}
+
+/// More rows, with distances to 10⁶ ring radii, scales from 1e-9 to 1e9 and tangents of every kind.
+#[test]
+fn tori_agree_with_their_nasty_table() {
+    all_right("ray_torus", include_str!("../data/ray_torus_nasty.csv"), torus_roots);
+}
+
+#[test]
+fn quartics_agree_with_their_table() {
+    all_right("quartic_roots", include_str!("../data/quartic_roots.csv"), quartic_roots);
+    let (_, wrong) = wrong_rows(
+        "quartic_roots",
+        Some("as_printed"),
+        include_str!("../data/quartic_roots.csv"),
+        quartic_roots,
+    );
+    assert!(wrong.len() >= 80, "only {} rows wrong", wrong.len());
+}
+
+/// Roots spread over 140 orders of magnitude, clusters, scales from 1e-240 to 1e240.
+#[test]
+fn quartics_agree_with_their_nasty_table() {
+    all_right("quartic_roots", include_str!("../data/quartic_roots_nasty.csv"), quartic_roots);
 }

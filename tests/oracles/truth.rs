@@ -2,9 +2,10 @@
 //! are tested in one.
 //!
 //! The tables were computed at 30 digits and more, each checked by a second method; their inputs are exactly
-//! the `f64` printed. `margin` is the smallest relative change of the inputs that changes a discrete answer: rows
-//! under 1e-12 (10⁴ roundings) are decided by the inputs' last digits, and not judged. `cond` is the relative
-//! condition number of a root: a stable method errs by a few `u cond`, and 64 are allowed.
+//! the `f64` printed. `margin` is the smallest relative change of the inputs that changes a discrete
+//! answer: rows under 1e-12 (10⁴ roundings) are decided by the inputs' last digits, and not judged.
+//! `cond` is the relative condition number of a root: a stable method errs by a few `u cond`, and 64
+//! are allowed.
 
 use lightbench::num::U;
 use lightbench::probe;
@@ -141,6 +142,56 @@ pub fn faces(row: &Record, answer: &Record) -> Option<f64> {
         worst = worst.max(relative(answer.number(&t), row.number(&t)) / (1e-13 / margin.sqrt()));
         if margin > 1e-9 && answer.text(&face) != row.text(&face) {
             return Some(f64::INFINITY);
+        }
+    }
+    Some(worst)
+}
+
+/// Roots of one sort, each with a condition number; `None` if a cluster leaves even their count to the
+/// last bits.
+fn conditioned(row: &Record, answer: &Record, prefix: &str, from: f64) -> Option<f64> {
+    let column = |name: &str, i: usize| format!("{name}{i}");
+    let listed = |r: &Record| (0..4).filter_map(|i| r.number(&column(prefix, i))).collect::<Vec<_>>();
+    let conds = (0..4).filter_map(|i| row.number(&column("cond", i)));
+    let want: Vec<_> = listed(row).into_iter().zip(conds).filter(|(t, _)| *t >= from).collect();
+    let got: Vec<_> = listed(answer).into_iter().filter(|t| *t >= from).collect();
+    if want.iter().any(|(_, cond)| !(*cond <= 1e10)) {
+        return None;
+    }
+    if want.len() != got.len() {
+        return Some(f64::INFINITY);
+    }
+    let error = |(g, (w, cond)): (&f64, &(f64, f64))| match g == w {
+        true => 0.0,
+        false => (g - w).abs() / (w.abs() * 64.0 * U * cond.max(1.0)),
+    };
+    Some(got.iter().zip(&want).map(error).fold(0.0, f64::max))
+}
+
+/// Real roots of a quartic.
+pub fn quartic_roots(row: &Record, answer: &Record) -> Option<f64> {
+    row.is_judged().then(|| conditioned(row, answer, "r", f64::NEG_INFINITY)).flatten()
+}
+
+/// Positive roots of a torus, and the normal at the first: a point is known to `64 u (|o| + t)`, the
+/// normal to that over the tube's radius.
+pub fn torus_roots(row: &Record, answer: &Record) -> Option<f64> {
+    if !row.is_judged() {
+        return None;
+    }
+    let size = row.largest(&["ox", "oy", "oz"]).max(row.number("a")? + row.number("b")?);
+    // An origin on the surface up to rounding: the inputs do not say whether that root is positive.
+    let from = 1e-12 * size;
+    let mut worst = conditioned(row, answer, "t", from)?;
+    let firsts = (row.number("t0"), answer.number("t0"));
+    if let (Some(t), Some(g)) = firsts
+        && t >= from
+        && g >= from
+        && row.number("cond0")? < 1e6
+    {
+        let tolerance = (64.0 * U * (size + t) / row.number("b")?).max(1e-12) * row.number("cond0")?.max(1.0);
+        for c in ["nx", "ny", "nz"] {
+            worst = worst.max((answer.number(c)? - row.number(c)?).abs() / tolerance);
         }
     }
     Some(worst)

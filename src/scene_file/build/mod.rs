@@ -7,7 +7,7 @@ use super::blocks::{MOST_CELLS, MOST_PIXELS};
 use super::diagnostic::{Diagnostic, Severity};
 use super::format::{Role, State};
 use super::parse::{Block, Parsed};
-use super::{Settings, declared, pending};
+use super::{Given, Settings, declared, pending};
 use crate::color::Rgb;
 use crate::light::{AreaLight, Falloff, Light, Placement, PointLight};
 use crate::scene::{Camera, CameraError, FieldOfView, Material, Scene};
@@ -102,6 +102,7 @@ fn natural(n: i64) -> u32 {
 
 fn settings(block: &Block, log: &mut Vec<Diagnostic>) -> Settings {
     let one = |name: &str| natural(block.integers::<1>(name)[0]);
+    let given = |name: &str| block.entry(name).is_some();
     let mut settings = Settings {
         width: one("RenderWidth"),
         height: one("RenderHeight"),
@@ -110,6 +111,11 @@ fn settings(block: &Block, log: &mut Vec<Diagnostic>) -> Settings {
         reflection_steps: one("ReflectionSteps"),
         indirect_quality: one("IndirectQuality"),
         color_bleeding: block.numbers::<1>("ColorBleeding")[0],
+        given: Given {
+            width: given("RenderWidth"),
+            height: given("RenderHeight"),
+            samples: given("Antialiasing"),
+        },
     };
     match block.integers("Antialiasing") {
         [n @ (1 | 4 | 16)] => settings.samples = natural(n),

@@ -87,3 +87,48 @@ pub fn robust<R: Real>(f: Triple<R>, d: Triple<R>, r: R) -> Pair<R> {
     }
     Some(if near_zero < other { (near_zero, other) } else { (other, near_zero) })
 }
+
+/// The first root in front of the origin.
+#[inline(always)]
+pub fn in_front<R: Real>(roots: Pair<R>) -> Option<R> {
+    let (t0, t1) = roots?;
+    if t0 > R::ZERO { Some(t0) } else { (t1 > R::ZERO).then_some(t1) }
+}
+
+/// [`algebraic`] with an early exit: the second root is formed only if the first lies behind the origin.
+///
+/// - Source: [C §1.6.1, steps 3 and 4].
+pub fn algebraic_first<R: Real>(f: Triple<R>, d: Triple<R>, r: R) -> Option<R> {
+    let two = R::from_f64(2.0);
+    let b = two * dot(f, d);
+    let c = dot(f, f) - r * r;
+    let discriminant = b * b - two * two * c;
+    if !(discriminant >= R::ZERO) {
+        return None;
+    }
+    let root = discriminant.sqrt();
+    let t0 = (-b - root) / two;
+    if t0 > R::ZERO {
+        return Some(t0);
+    }
+    let t1 = (-b + root) / two;
+    (t1 > R::ZERO).then_some(t1)
+}
+
+/// [`geometric`] with the distance of the line itself compared with the radius: a square root that every ray
+/// pays, and that comparing `d²` with `r²` saves.
+///
+/// - Source: [B §6.2.1], before its own improvement.
+pub fn geometric_by_length<R: Real>(f: Triple<R>, d: Triple<R>, r: R) -> Pair<R> {
+    let to_closest = -dot(f, d);
+    let d2 = dot(f, f) - to_closest * to_closest;
+    // Rounding may leave a square below zero: the line goes through the centre.
+    let distance = if d2 > R::ZERO { d2.sqrt() } else { R::ZERO };
+    if !(distance <= r) {
+        return None;
+    }
+    // The root may round down to the radius from a square that is beyond it.
+    let half_chord2 = r * r - d2;
+    let half_chord = if half_chord2 > R::ZERO { half_chord2.sqrt() } else { R::ZERO };
+    Some((to_closest - half_chord, to_closest + half_chord))
+}

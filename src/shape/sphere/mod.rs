@@ -1,6 +1,8 @@
 //! The sphere [A §2.3, B §6.2, C §1.6, D §4.7.1].
 
+pub mod as_printed;
 pub mod method;
+pub mod reference;
 
 use super::fan::{Fan, LANES, Lanes, vectorised};
 use super::{Shape, ShapeError, Solid, span_of_pair};

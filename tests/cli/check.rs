@@ -1,0 +1,36 @@
+//! `check`: right and wrong scene files.
+
+use crate::bench::Bench;
+
+#[test]
+fn right_files_on_stdout_wrong_ones_on_stderr() {
+    let bench = Bench::with_scene("check");
+    bench.write("wrong.scene", b"Camera { POV 0 0 5 }\nSphere { Radius x }\nSphare { }\n");
+    let right = bench.line("check s.scene").done();
+    assert!(right.out.contains("s.scene: right") && right.out.contains("1 object"), "{}", right.out);
+    assert_eq!(right.err, "");
+    let both = bench.line("check wrong.scene s.scene missing.scene");
+    assert_eq!(both.code, Some(2));
+    assert!(both.out.contains("s.scene: right") && !both.out.contains("wrong"));
+    for word in
+        ["wrong.scene:2:17: error", "wrong.scene:3:1: error", "Sphere", "missing.scene: cannot be read"]
+    {
+        assert!(both.err.contains(word), "`{word}` is not in\n{}", both.err);
+    }
+    assert_eq!(bench.files(), ["s.scene", "wrong.scene"], "checking writes nothing");
+}
+
+#[test]
+fn the_projects_own_scenes_are_right() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let bench = Bench::new("check_own");
+    let mut all = 0;
+    for entry in std::fs::read_dir(folder).expect("scenes").flatten() {
+        let path = entry.path().display().to_string();
+        if path.ends_with(".scene") {
+            bench.run(&["check", &path]).done();
+            all += 1;
+        }
+    }
+    assert!(all > 0);
+}
