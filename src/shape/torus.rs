@@ -171,7 +171,7 @@ impl Torus {
     /// Directions at the surface point nearest to the ray's point at `t`.
     fn frame(&self, ray: &Ray, t: f64) -> Frame {
         let p = line::point(self.unit, ray, t);
-        let rho = p.x.hypot(p.y);
+        let rho = (p.x * p.x + p.y * p.y).sqrt(); // of order 1 in this unit
         let around = if rho > 0.0 { DVec2::new(p.x, p.y) / rho } else { DVec2::X };
         let out = DVec2::new(rho - self.scaled.a, p.z);
         let length = out.length();
@@ -206,6 +206,13 @@ impl Shape for Torus {
             }
         };
         Some(Crossing::new(t, 0))
+    }
+
+    fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
+        match self.method {
+            TorusMethod::Adaptive => self.line(ray).is_some_and(|l| l.blocks(t_max)),
+            _ => self.nearest(ray, 0.0, t_max).is_some(),
+        }
     }
 
     fn crossings(&self, ray: &Ray, out: &mut Vec<Crossing>) {

@@ -1,6 +1,6 @@
 //! The blocks that describe objects.
 
-use super::{ANY, SOURCE, ONES, ZERO, length, number, point, triple};
+use super::{ANY, ONES, SOURCE, ZERO, length, number, point, triple};
 use crate::scene_file::format::{Default, Domain, Kind, Names, Origin, Param, Role, Rule, State};
 
 const MATERIAL: Param = Param::new(

@@ -13,18 +13,14 @@ use crate::shape::cylinder::Cylinder;
 use crate::shape::disc::Disc;
 use crate::shape::plane::Plane;
 use crate::shape::quadric::{ClippedQuadric, Coefficients, Quadric};
-//TORUS use crate::shape::torus::Torus;
+use crate::shape::torus::Torus;
 use crate::shape::triangle::Triangle;
 use crate::shape::{ShapeError, Sides};
 use glam::{DAffine3, DMat3, DVec3};
 use std::collections::HashMap;
 
 /// The objects of a file; what is wrong with them is added to the log.
-pub fn objects(
-    blocks: &[Block],
-    materials: &[(&Block, Material)],
-    log: &mut Vec<Diagnostic>,
-) -> Vec<Object> {
+pub fn objects(blocks: &[Block], materials: &[(&Block, Material)], log: &mut Vec<Diagnostic>) -> Vec<Object> {
     let index: HashMap<&str, usize> =
         materials.iter().enumerate().rev().map(|(i, (_, m))| (m.name.as_str(), i)).collect();
     let mut objects = Vec::new();
@@ -104,9 +100,9 @@ fn shape(block: &Block) -> Made {
             Cone::new(base, base + axis * scalar("Height"), scalar("Radius"), scalar("TopRadius"))
         }),
         "Torus" => torus(block, map),
-        "Plane" => placed(map, |by| {
-            Ok(Plane::new(vector("Point") + by, vector("Normal"))?.with_sides(sides(block)))
-        }),
+        "Plane" => {
+            placed(map, |by| Ok(Plane::new(vector("Point") + by, vector("Normal"))?.with_sides(sides(block))))
+        }
         "Disc" => placed(map, |by| {
             let disc = Disc::new(vector("Center") + by, vector("Normal"), scalar("Radius"))?;
             Ok(disc.with_sides(sides(block)))
@@ -132,8 +128,7 @@ fn torus(block: &Block, map: DAffine3) -> Made {
     let axis = ShapeError::direction("axis of a torus", vector(block, "Axis"))?;
     let (x, y) = basis(axis);
     let stand = DAffine3::from_mat3_translation(DMat3::from_cols(x, y, axis), vector(block, "Center"));
-    //TORUS instance(Torus::new(scalar(block, "Major"), scalar(block, "Minor"))?, map * stand)
-    instance(crate::shape::sphere::Sphere::new(DVec3::ZERO, 1.0)?, map * stand)
+    instance(Torus::new(scalar(block, "Major"), scalar(block, "Minor"))?, map * stand)
 }
 
 /// The box of `ClipMin` and `ClipMax`; where one is not written, endless that way.

@@ -193,6 +193,37 @@ impl<'a> Line<'a> {
         None
     }
 
+    /// Is there a root with `0 < t < t_max`? As [`Line::nearest`] answers, but a root whose bracket lies in the range
+    /// needs no digits.
+    pub fn blocks(&self, t_max: f64) -> bool {
+        let p = self.polynomial();
+        let to_ray = |s: f64| times_power_of_two(self.middle + s, self.shift);
+        let slack = times_power_of_two(8.0 * U * self.o.abs().element_sum() + 8.0 * U, self.shift);
+        let half = self.half_chord();
+        if to_ray(-half) - slack > 0.0 {
+            return match first_root(self, &p, half) {
+                First::Miss => false,
+                First::Root(_, b) if to_ray(b.hi) + slack < t_max => true,
+                _ => self.nearest(0.0, t_max).is_some(),
+            };
+        }
+        let found = isolate(&p, -half, half, DOUBT);
+        if !found.certain {
+            return self.nearest(0.0, t_max).is_some();
+        }
+        found.brackets.iter().any(|b| {
+            let (lo, hi) = (to_ray(b.lo) - slack, to_ray(b.hi) + slack);
+            if hi < 0.0 || lo > t_max {
+                return false;
+            }
+            if lo > 0.0 && hi < t_max {
+                return true;
+            }
+            let t = times_power_of_two(self.on_surface(refine(&p, b), b), self.shift);
+            0.0 < t && t < t_max
+        })
+    }
+
     /// Newton's steps from `s` on the distance form, with the surface evaluated in double-double at `o + t
     /// d`: the `t` of the line that belongs to the exact input.
     ///
