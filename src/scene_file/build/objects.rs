@@ -6,7 +6,7 @@ use crate::bounds::Aabb;
 use crate::frame::basis;
 use crate::scene::{Material, Object};
 use crate::scene_file::diagnostic::Diagnostic;
-use crate::scene_file::format::{Role, State};
+use crate::scene_file::format::{Default, Kind, Param, Role, State};
 use crate::scene_file::parse::Block;
 use crate::shape::cone::Cone;
 use crate::shape::cylinder::Cylinder;
@@ -25,8 +25,8 @@ pub fn objects(blocks: &[Block], materials: &[(&Block, Material)], log: &mut Vec
         materials.iter().enumerate().rev().map(|(i, (_, m))| (m.name.as_str(), i)).collect();
     let mut objects = Vec::new();
     for block in of(blocks, |r| r == Role::Object) {
-        if block.is_broken() || block.rule.state == State::Planned {
-            continue;
+        if block.is_broken() || block.rule.state == State::Planned || lacks_numbers(block) {
+            continue; // reported where it was read
         }
         if let Some(d) = contradiction(block) {
             log.push(d);
@@ -48,6 +48,12 @@ pub fn objects(blocks: &[Block], materials: &[(&Block, Material)], log: &mut Vec
         }
     }
     objects
+}
+
+/// Is there a required parameter that is not written? (A shape can be checked without its material.)
+fn lacks_numbers(block: &Block) -> bool {
+    let required = |p: &&Param| p.default == Default::Required && matches!(p.kind, Kind::Numbers { .. });
+    block.rule.params.iter().filter(required).any(|p| block.entry(p.name).is_none())
 }
 
 fn vector(block: &Block, name: &str) -> DVec3 {
