@@ -45,6 +45,11 @@ impl Picture {
             crate::sample::r2(0, s)
         }
     }
+
+    /// [`Picture::offset`] of every sample.
+    fn offsets(&self) -> Vec<DVec2> {
+        (0..self.samples).map(|s| self.offset(s)).collect()
+    }
 }
 
 /// How to make it.
@@ -112,6 +117,7 @@ fn render_tiles<I: Integrator>(
     let columns = width.div_ceil(TILE);
     let tiles = picture.tiles();
     let done = AtomicU64::new(0);
+    let offsets = picture.offsets();
     let work = |tile: usize| {
         let (x0, y0) = (tile % columns * TILE, tile / columns * TILE);
         let mut tally = Tally::default();
@@ -122,7 +128,7 @@ fn render_tiles<I: Integrator>(
                 if control.stop.load(Ordering::Relaxed) {
                     return None;
                 }
-                pixels.push(pixel(scene, integrator, picture, (x, y), &mut scratch, &mut tally));
+                pixels.push(pixel(scene, integrator, (picture, &offsets), (x, y), &mut scratch, &mut tally));
             }
         }
         let done = 1 + done.fetch_add(1, Ordering::Relaxed);
@@ -144,18 +150,18 @@ fn render_tiles<I: Integrator>(
     Ok(Rendered { image, tally })
 }
 
-/// Radiance of one pixel: the mean over its samples, added in their order.
+/// Radiance of one pixel: the mean over its samples, added in their order; `offsets` are [`Picture::offsets`].
 fn pixel<I: Integrator, T: Trace>(
     scene: &Scene,
     integrator: &I,
-    picture: Picture,
+    (picture, offsets): (Picture, &[DVec2]),
     (x, y): (usize, usize),
     scratch: &mut I::Scratch,
     trace: &mut T,
 ) -> Rgb {
     let mut sum = Rgb::ZERO;
-    for s in 0..picture.samples {
-        let raster = DVec2::new(x as f64, y as f64) + picture.offset(s);
+    for (s, &offset) in (0..).zip(offsets) {
+        let raster = DVec2::new(x as f64, y as f64) + offset;
         let ray = scene.camera.ray(raster, picture.width, picture.height);
         let index = (y * picture.width + x) as u64;
         let mut sampler = Sampler::new(picture.seed, index, s);
@@ -171,11 +177,13 @@ pub fn replay<I: Integrator>(
     picture: Picture,
     at: (usize, usize),
 ) -> (Rgb, Vec<Traced>) {
+    let offsets = picture.offsets();
     let mut recorder = Recorder::default();
-    let value = pixel(scene, integrator, picture, at, &mut integrator.scratch(scene), &mut recorder);
+    let value =
+        pixel(scene, integrator, (picture, &offsets), at, &mut integrator.scratch(scene), &mut recorder);
     debug_assert_eq!(
         value,
-        pixel(scene, integrator, picture, at, &mut integrator.scratch(scene), &mut Silent)
+        pixel(scene, integrator, (picture, &offsets), at, &mut integrator.scratch(scene), &mut Silent)
     );
     (value, recorder.into_rays())
 }

@@ -245,7 +245,7 @@ const MISTAKES: &[(&str, (usize, usize), &[&str])] = &[
     ("Ellipsoid { Material m Radius 1 }", (5, 24), &["no parameter `Radius`"]),
     ("Quadric { Material m }", (5, 1), &["this is no Quadric", "coefficient"]),
     ("Quadric { Material m J 3 }", (5, 1), &["this is no Quadric"]),
-    ("Quadric { Material m K 3 }", (5, 22), &["no parameter `K`"]),
+    ("Quadric { Material m A 1 K 3 }", (5, 26), &["no parameter `K`"]),
     ("Quadric { Material m A x }", (5, 24), &["not a number"]),
     ("Quadric { Material m A 1 ClipMin 0 0 0 ClipMax 1 0 1 }", (5, 48), &["clip box is empty", "below"]),
     ("Quadric { Material m A 1 ClipMin 0 0 }", (5, 26), &["2 of its 3 values"]),
