@@ -16,6 +16,7 @@ use crate::film::Image;
 use crate::film::file::{FileError, Format, encode, write_atomically};
 use clap::{CommandFactory, FromArgMatches, Parser};
 use std::cell::RefCell;
+use std::io::Write;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
@@ -47,6 +48,11 @@ struct Cli {
     flags: Flags,
 }
 
+/// Prints a line; a reader that closed the pipe has read enough.
+fn print(text: &str) {
+    let _ = writeln!(std::io::stdout(), "{text}");
+}
+
 /// A lesson that runs.
 pub struct Lesson {
     entry: &'static Entry,
@@ -67,10 +73,15 @@ impl Lesson {
         let matches = command.get_matches();
         let flags = Flags::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
         if flags.list {
-            println!("{}  {}", entry.program(), entry.question);
+            print(&format!("{}  {}", entry.program(), entry.question));
             std::process::exit(0);
         }
-        println!("Lesson {:02} · {}\n", entry.number, entry.question);
+        if let Some(threads) = flags.threads {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
+            pool.build_global()
+                .map_err(|e| LessonError::Other(format!("threads could not be started: {e}")))?;
+        }
+        print(&format!("Lesson {:02} · {}\n", entry.number, entry.question));
         let command = format!("cargo run --bin {}{}", entry.program(), flags.canonical());
         let record = LessonRecord::new(entry, command);
         let out = flags.out();
@@ -105,7 +116,7 @@ impl Lesson {
 
     /// Prints a paragraph of the lesson.
     pub fn say(&self, text: &str) {
-        println!("{text}\n");
+        print(&format!("{text}\n"));
     }
 
     /// Writes a figure as SVG and PNG, its data as CSV, and its words as JSON: `02_sphere_{what}.svg` and so on.
@@ -157,7 +168,7 @@ impl Lesson {
 
     /// A claim: one sentence, and whether it holds in this run.
     pub fn claim(&self, sentence: &str, holds: bool) {
-        println!("{} {sentence}", if holds { "holds: " } else { "FAILS: " });
+        print(&format!("{} {sentence}", if holds { "holds: " } else { "FAILS: " }));
         self.record.borrow_mut().claims.push(ClaimRecord { sentence: sentence.to_string(), holds });
     }
 
@@ -165,12 +176,12 @@ impl Lesson {
     ///
     /// - Errors: a claim that failed, a file that cannot be written.
     pub fn answer(self, sentence: &str) -> Result {
-        println!("\nAnswer: {sentence}\n");
+        print(&format!("\nAnswer: {sentence}\n"));
         self.record.borrow_mut().answer = sentence.to_string();
         let json = self.record.borrow().json();
         self.write(&format!("{}.json", self.entry.stem()), json.as_bytes())?;
         for path in self.paths.borrow().iter() {
-            println!("{}", path.display());
+            print(&path.display().to_string());
         }
         let record = self.record.borrow();
         let failed = record.claims.iter().filter(|c| !c.holds).count();
