@@ -16,28 +16,46 @@ const LETTER: [[(f64, f64); 2]; 3] =
 
 /// A, illustration 49; B, figure 3.1; C, figure 1: the box.
 pub fn the_box() -> Figure {
-    let (space, depth) = (Space::axonometric(142.0, 20.0), 1.7);
+    let (space, depth) = (Space::axonometric(118.0, 16.0), 1.7);
     let film = |p: DVec3| obscura_from_camera(p, depth).expect("in front of the hole").extend(depth);
     let letter = LETTER.map(|line| line.map(|(x, y)| dvec3(x, y, -2.7)));
     let (min, max) = (dvec3(-0.8, -0.75, 0.0), dvec3(0.8, 0.75, depth));
     let mut d = Diagram::fitted()
-        .title("A closed box with a hole in one face draws the world on the opposite face")
+        .title("A hole in a closed box draws the world on its back wall")
         .subtitle(&format!("film {depth} behind the hole, letter 2.7 before it: its image is {:.2} times as large", depth / 2.7))
         .alt("A closed box seen from outside. Light from a letter F in front of it passes a small hole in the middle of the front \
               face and draws a smaller letter, upside down and mirrored, on the film at the back.")
-        .solid_box(&space, min, max);
+        ;
     let back = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| dvec3(0.68 * x, 0.63 * y, depth));
-    d = d.region(Light::Reflected, &back.map(|p| space.at(p)));
+    d = glass_box(d.region(Light::Reflected, &back.map(|p| space.at(p))), &space, min, max);
     for [a, b] in letter {
-        d = d.path(Light::Incident, &[space.at(a), space.at(b)]);
-        d = d.path(Light::Incident, &[space.at(film(a)), space.at(film(b))]);
+        d = d.path(Light::Transmitted, &[space.at(a), space.at(b)]);
+        d = d.path(Light::Reflected, &[space.at(film(a)), space.at(film(b))]);
     }
     for p in [letter[0][0], letter[0][1], letter[1][1]] {
-        d = d.hidden(&[space.at(p), space.at(film(p))]);
+        d = d.ray(Light::Incident, space.at(p), space.at(film(p)));
     }
-    d = d.point(space.at(DVec3::ZERO)).word("hole").note(space.at(dvec3(-0.2, -1.1, -2.7)), "object");
-    d = d.note(space.at(dvec3(0.0, 1.0, depth)), "film").note(space.at(dvec3(0.8, -1.0, 0.9)), "closed box");
+    d = d.point(space.at(DVec3::ZERO)).note(space.at(dvec3(0.0, -0.95, 0.0)) + dvec2(0.1, 0.0), "hole");
+    d = d.note(space.at(dvec3(0.0, -1.05, -2.7)), "object").note(space.at(dvec3(0.0, 1.0, depth)), "film");
+    d = d.hidden(&[space.at(dvec3(0.0, -0.82, 0.0)) + dvec2(0.1, 0.0), space.at(dvec3(0.0, -0.05, 0.0))]);
     told(d, "After A, illustration 49, B, figure 3.1, and C, figure 1: the pinhole camera, or camera obscura.")
+}
+
+/// The edges of a box that lets us look inside: those at its farthest corner dashed.
+fn glass_box(mut d: Diagram, space: &Space, min: DVec3, max: DVec3) -> Diagram {
+    let far = dvec3(min.x, min.y, max.z);
+    for axis in 0..3 {
+        for (i, j) in [(false, false), (false, true), (true, false), (true, true)] {
+            let (mut a, mut b) = (min, max);
+            for (k, high) in [((axis + 1) % 3, i), ((axis + 2) % 3, j)] {
+                a[k] = if high { max[k] } else { min[k] };
+                b[k] = a[k];
+            }
+            let edge = [space.at(a), space.at(b)];
+            d = if a == far || b == far { d.hidden(&edge) } else { d.curve(&edge) };
+        }
+    }
+    d
 }
 
 /// A, illustration 50: what the hole keeps out.
@@ -81,7 +99,7 @@ pub fn inverts() -> Figure {
     let (height, distance, depth) = (1.5, 3.0, 1.5);
     let image = |y: f64| obscura_from_camera(dvec3(0.0, y, -distance), depth).expect("before the hole").y;
     let mut d = Diagram::new(dvec2(-3.6, -1.55), dvec2(2.4, 1.95))
-        .title(&format!("Straight lines through one point turn the picture over: A′ = −({depth}/{distance}) A = {}", super::spaces::plain(image(height))))
+        .title(&format!("Light runs straight: the image of A, at {height} m, lies at {} m", super::spaces::plain(image(height))))
         .subtitle("side view; object 3 m before the hole, film 1.5 m behind it")
         .alt("Side view of a camera obscura: an arrow from B on the axis up to A, 3 metres before the hole; lines through the hole lead to \
               its image, half as tall and pointing down from B prime to A prime, on the film.");
@@ -92,7 +110,7 @@ pub fn inverts() -> Figure {
     }
     d = d.ray(Light::Transmitted, left, left + DVec2::Y * height).ray(Light::Reflected, right, right + DVec2::Y * image(height));
     d = d.point(left).name("B").point(left + DVec2::Y * height).name("A").point(right).name("B′").point(right + DVec2::Y * image(height)).name("A′");
-    d = d.spot(Light::Other, DVec2::ZERO).word("hole");
+    d = d.spot(Light::Other, DVec2::ZERO).word("hole").note(dvec2(depth, 1.25), "film");
     d = d.dimension(left, DVec2::ZERO, -150.0).word("distance 3 m").dimension(dvec2(0.0, -1.1), dvec2(depth, -1.1), -36.0).word("depth 1.5 m");
     told(d, "After C, figure 2, the diagram; the picture itself is the next figure.")
 }
@@ -106,7 +124,7 @@ pub fn window() -> Figure {
     let base = corners.map(|(x, y)| corner(x, y, far));
     let letter = LETTER.map(|line| line.map(|(x, y)| dvec3(1.5 * x, 1.5 * y, -3.1)));
     let mut d = Diagram::fitted()
-        .title("Move the film in front of the hole, call the hole an eye: the picture stands upright")
+        .title("Film before the hole, now an eye: the picture stands upright")
         .subtitle("the pyramid of view holds what can be seen; every useful ray ends in its apex")
         .alt("An eye on the left looks through an upright window ruled into pixels at a letter F on the right. Four edges of a pyramid lead from \
               the eye through the window's corners. Lines from the letter to the eye draw an upright, smaller F on the window.");
@@ -121,7 +139,7 @@ pub fn window() -> Figure {
         d = d.ray(Light::Reflected, space.at(p), space.at(p * 0.03));
     }
     d = d.eye(space.at(DVec3::ZERO), DVec2::X).word("eye");
-    d = d.note(space.at(dvec3(0.0, -0.95, -near)), "window").note(space.at(dvec3(0.0, -2.05, -far)), "pyramid of view");
+    d = d.note(space.at(place[3]) + dvec2(-0.45, 0.1), "window").note(space.at(base[1]) - dvec2(1.3, 0.0), "pyramid of view");
     told(d, "After A, illustration 51, B, figure 3.2, and C, figure 3, the window model: the same lines as in the box, the same picture turned by 180°.")
 }
 
@@ -136,17 +154,17 @@ fn meets(origin: DVec3, direction: DVec3, center: DVec3, radius: f64) -> Option<
 
 /// C, figure 4; E, slide 65: a ray through the centre of every pixel.
 pub fn through_the_centres() -> Figure {
-    let (space, columns, rows) = (Space::axonometric(64.0, 14.0), 8usize, 6usize);
+    let (space, columns, rows) = (Space::axonometric(60.0, 14.0), 8usize, 6usize);
     let fov = FieldOfView::Vertical(52f64.to_radians());
     let camera = Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, fov).expect("a camera in its place");
-    let (center, radius) = (dvec3(0.2, 0.05, -3.6), 0.85);
+    let (center, radius) = (dvec3(0.15, 0.05, -3.2), 0.9);
     let on_plane = |x: f64, y: f64| {
         let ray = camera.ray(dvec2(x, y), columns, rows);
         ray.at(1.5 / -ray.direction.z)
     };
     let (o, u, v) = (on_plane(0.0, 0.0), on_plane(columns as f64, 0.0), on_plane(0.0, rows as f64));
     let mut hits = 0;
-    let mut d = Diagram::fitted().ball(&space, center, radius, DVec3::Y);
+    let mut d = Diagram::fitted().circle(space.at(center), radius);
     d = d.pixel_grid(&space, o, u - o, v - o, columns as u32, rows as u32);
     let (mut tints, mut rays) = (Vec::new(), Vec::new());
     for (i, j) in (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j))) {
@@ -183,8 +201,8 @@ pub fn one_pixel(seed: u64) -> Figure {
     let (near, far, pixel) = (1.6, 4.2, dvec2(3.0, 1.0));
     let square = |z: f64| [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| at(pixel.x + x, pixel.y + y, z));
     let mut d = Diagram::fitted()
-        .title("A pixel is a piece of film, and owns all the rays through it: its colour is their mean")
-        .subtitle(&format!("6 × 4 pixels; 8 of the rays of the pixel in column 3, row 1, at random, seed {seed}"))
+        .title("A pixel owns all rays through its piece of film")
+        .subtitle(&format!("6 × 4 pixels; its colour is their mean; 8 of those of the pixel in column 3, row 1, at random, seed {seed}"))
         .alt("A film of 6 by 4 pixels before an eye. One pixel is tinted; a bundle of eight rays from the eye through random points of it \
               spreads to a larger tinted patch of the scene.");
     d = d.pixel_grid(&space, at(0.0, 0.0, near), at(6.0, 0.0, near) - at(0.0, 0.0, near), at(0.0, 4.0, near) - at(0.0, 0.0, near), 6, 4);
@@ -197,15 +215,16 @@ pub fn one_pixel(seed: u64) -> Figure {
         d = d.ray(Light::Incident, space.at(DVec3::ZERO), space.at(at(p.x, p.y, far)));
     }
     d = d.eye(space.at(DVec3::ZERO), DVec2::X).word("eye");
-    d = d.note(space.at(at(1.0, 5.4, near)), "film of 6 × 4 pixels").note(space.at(at(3.5, 3.0, far)), "what the pixel sees");
+    d = d.note(space.at(at(1.0, 5.4, near)), "film of 6 × 4 pixels").note(space.at(at(3.5, 2.3, far)), "what the pixel sees");
     told(d, "After A, illustration 52: pixel, region of film, rays of light.")
 }
 
 /// B, figures 3.4 and 5.1: a ray hits or misses.
 pub fn hit_or_miss() -> Figure {
-    let (center, radius, plane, rows) = (dvec3(5.0, 0.35, 0.0), 0.95, 1.5, 7);
+    let (center, radius, plane, rows) = (dvec3(5.0, 0.25, 0.0), 1.15, 1.5, 7);
     let mut hits = 0;
     let mut d = Diagram::new(dvec2(-0.9, -2.05), dvec2(7.2, 2.15)).circle(center.truncate(), radius).word("ball");
+    d = d.curve(&[dvec2(plane, -1.05), dvec2(plane, 1.05)]).note(dvec2(plane, -1.45), "image plane");
     for j in 0..rows {
         let (low, high) = (0.3 * f64::from(j) - 1.05, 0.3 * f64::from(j) - 0.75);
         let direction = dvec3(plane, 0.5 * (low + high), 0.0);
@@ -220,7 +239,7 @@ pub fn hit_or_miss() -> Figure {
             None => d = d.ray(Light::Shadow, DVec2::ZERO, direction.truncate() * (6.6 / plane).min(2.0 / direction.y.abs())),
         }
     }
-    d = d.curve(&[dvec2(plane, -1.05), dvec2(plane, 1.05)]).note(dvec2(plane, -1.35), "image plane").eye(DVec2::ZERO, DVec2::X).word("eye");
+    d = d.eye(DVec2::ZERO, DVec2::X).word("eye");
     let d = d.title(&format!("Backwards every ray tells its pixel something: {hits} of {rows} hit, {} miss", rows - hits))
         .subtitle("side view; one ray from the eye through each pixel's centre; a miss is an answer too: background")
         .alt("Side view: an eye sends seven rays through the pixels of an image plane. Some hit a ball, where they end in a dot, and their pixels \
@@ -231,6 +250,7 @@ pub fn hit_or_miss() -> Figure {
 /// B, figure 3.3: photons scattered by a ball, and the first that finds the eye.
 pub fn forward(seed: u64) -> Figure {
     let (lamp, eye, pupil) = (dvec2(-2.6, 2.1), dvec2(3.2, 1.0), 0.05);
+    const DRAWN: u32 = 20;
     let (center, radius) = (DVec2::ZERO, 0.9);
     let mut first = None;
     let mut d = Diagram::new(dvec2(-3.6, -1.75), dvec2(4.2, 2.6)).circle(center, radius).word("matt ball");
@@ -247,15 +267,15 @@ pub fn forward(seed: u64) -> Figure {
             first = Some(i + 1);
             break;
         }
-        if i < 28 {
+        if i < DRAWN {
             let reach = exit(p, out, dvec2(-3.45, -1.6), dvec2(4.05, 2.45)).min(1.9);
-            d = d.path(Light::Shadow, &[lamp, p]).ray(Light::Shadow, p, p + out * reach);
+            d = d.thin(&[lamp, p]).ray(Light::Shadow, p, p + out * reach);
         }
     }
-    let first = first.map_or("no".to_string(), |n| format!("{n}th"));
+    let first = first.map_or("none of 100 000".to_string(), |n| format!("number {n}"));
     let d = d.lamp(lamp).word("lamp").eye(eye, DVec2::NEG_X).word("eye")
-        .title(&format!("Forwards nearly all photons are wasted: the {first} is the first to find the eye"))
-        .subtitle(&format!("plane scene, pupil 0.1 wide at 3.2 from the ball; the first 28 photons are drawn dashed; seed {seed}"))
+        .title(&format!("Forwards photons are wasted: {first} is the first to find the eye"))
+        .subtitle(&format!("plane scene, pupil 0.1 wide at 3.2 from the ball; the first {DRAWN} photons are drawn; seed {seed}"))
         .alt("A lamp throws photons at a ball, which scatters them in all directions, drawn as dashed grey arrows. One photon, drawn in colour, leaves the ball \
               towards the eye on the right.");
     told(d, "After B, figure 3.3, from traced photons, all of them aimed at the ball already: many leave it, one arrives.")
@@ -267,12 +287,12 @@ fn exit(p: DVec2, way: DVec2, min: DVec2, max: DVec2) -> f64 {
     to(p.x, way.x, min.x, max.x).min(to(p.y, way.y, min.y, max.y)).max(0.0)
 }
 
-const ROOM: [DVec2; 2] = [DVec2::new(0.0, 0.0), DVec2::new(8.0, 4.5)];
-const BALL: (DVec2, f64) = (DVec2::new(4.6, 1.7), 0.85);
-const EYE: (DVec2, f64) = (DVec2::new(0.9, 2.3), 0.08);
+const ROOM: [DVec2; 2] = [DVec2::new(0.0, 0.0), DVec2::new(8.0, 5.0)];
+const BALL: (DVec2, f64) = (DVec2::new(4.6, 1.65), 0.5);
+const EYE: (DVec2, f64) = (DVec2::new(0.9, 0.6), 0.08);
 
 /// A photon's path through the room: the right wall is a mirror, the ball shines like one, the rest absorbs.
-/// Its signature names what it met: `b` ball, `m` mirror, `f` floor, `w` wall, `e` eye.
+/// Its signature names what it met: `b` ball, `m` mirror, `f` floor, `c` ceiling, `w` wall, `e` eye.
 fn follow(start: DVec2, angle: f64) -> (String, Vec<DVec2>) {
     let (mut p, mut way) = (start, DVec2::from_angle(angle));
     let (mut met, mut path) = (String::new(), vec![start]);
@@ -288,9 +308,9 @@ fn follow(start: DVec2, angle: f64) -> (String, Vec<DVec2>) {
         p += way * t;
         path.push(p);
         let n = if ball.is_some_and(|b| b <= wall) { (p - BALL.0) / BALL.1 } else { DVec2::NEG_X };
-        let sign = if n != DVec2::NEG_X { 'b' } else if p.x > ROOM[1].x - 1.0e-9 { 'm' } else if p.y < 1.0e-9 { 'f' } else { 'w' };
+        let sign = if n != DVec2::NEG_X { 'b' } else if p.x > ROOM[1].x - 1.0e-9 { 'm' } else if p.y < 1.0e-9 { 'f' } else if p.y > ROOM[1].y - 1.0e-9 { 'c' } else { 'w' };
         met.push(sign);
-        if sign == 'f' || sign == 'w' {
+        if sign != 'b' && sign != 'm' {
             break;
         }
         way -= n * (2.0 * way.dot(n));
@@ -300,7 +320,7 @@ fn follow(start: DVec2, angle: f64) -> (String, Vec<DVec2>) {
 
 /// A, illustration 53: the complicated ways of photons.
 pub fn ways_of_photons(photons: u32) -> Figure {
-    let lamp = dvec2(3.4, 4.1);
+    let lamp = dvec2(5.6, 4.7);
     let kinds = [("A", "w", Light::Shadow), ("B", "mbe", Light::Incident), ("C", "bme", Light::Reflected), ("D", "be", Light::Transmitted), ("E", "bf", Light::Other)];
     let mut ways: Vec<Vec<Vec<DVec2>>> = vec![Vec::new(); kinds.len()];
     let mut arrived = 0;
@@ -312,7 +332,7 @@ pub fn ways_of_photons(photons: u32) -> Figure {
         }
     }
     let [min, max] = ROOM;
-    let mut d = Diagram::new(dvec2(-0.25, -0.35), dvec2(8.95, 4.75))
+    let mut d = Diagram::new(dvec2(-0.25, -0.15), dvec2(8.95, 5.15))
         .polygon(&[min, dvec2(max.x, min.y), max, dvec2(min.x, max.y)]).circle(BALL.0, BALL.1).word("ball");
     for ((name, _, light), paths) in kinds.iter().zip(&ways) {
         let Some(path) = paths.get(paths.len() / 2) else { continue };
@@ -328,7 +348,7 @@ pub fn ways_of_photons(photons: u32) -> Figure {
     d = d.curve(&[EYE.0 + dvec2(0.6, -0.45), EYE.0 + dvec2(0.6, 0.45)]).word("image plane");
     let share = f64::from(arrived as u32) / f64::from(photons) * 100.0;
     let d = d.title(&format!("Photons B, C and D find the eye, A and E do not: {share:.2} % of all arrive"))
-        .subtitle(&format!("{photons} photons from the lamp in a plane room, evenly spread over all angles; mirror and ball reflect, the rest absorbs"))
+        .subtitle(&format!("{} photons from the lamp in a plane room, evenly spread over all angles; mirror and ball reflect, the rest absorbs", super::spaces::grouped(photons)))
         .alt("A room in section with a lamp under the ceiling, a shining ball, a mirror on the right wall and an eye on the left. Photon A ends at a wall. B goes by mirror and \
               ball to the eye, C by ball and mirror, D by the ball alone. E is thrown by the ball to the floor.");
     told(d, "After A, illustration 53, each way picked from the traced photons of its kind.")

@@ -15,6 +15,13 @@ pub fn plain(x: f64) -> String {
     if x < 0.0 && text != "0" { format!("−{text}") } else { text.to_string() }
 }
 
+/// A count with thin spaces between its thousands.
+pub fn grouped(n: u32) -> String {
+    let digits = n.to_string();
+    let groups: Vec<&str> = digits.as_bytes().rchunks(3).rev().filter_map(|g| std::str::from_utf8(g).ok()).collect();
+    groups.join("\u{202F}")
+}
+
 pub fn pair(p: DVec2) -> String {
     format!("({}, {})", plain(p.x), plain(p.y))
 }
@@ -39,7 +46,7 @@ pub fn raster_ndc_screen() -> Figure {
     let ndc = ndc_from_raster(pixel + 0.5, size);
     let screen = screen_from_ndc(ndc, 1.0, FieldOfView::Vertical(90f64.to_radians()));
     let side = DVec2::splat(3.0);
-    let mut d = Diagram::new(dvec2(-0.75, -1.15), dvec2(12.05, 4.2))
+    let mut d = Diagram::new(dvec2(-0.75, -1.15), dvec2(12.6, 4.25))
         .title(&format!("One pixel, three names: {} → {} → {}", pair(pixel + 0.5), pair(ndc), pair(screen)))
         .subtitle("6 × 6 pixels; the centre of column 4, row 1, counted from 0 at the upper left; aspect 1, 90°")
         .alt("Three square grids of 6 by 6 pixels side by side, joined by arrows. The same pixel, in column 4 and row 1, \
@@ -51,11 +58,11 @@ pub fn raster_ndc_screen() -> Figure {
         d = grid(d, corner, side, size, pixel);
         d = d.note(corner + dvec2(0.0, 0.28), &format!("({first})"));
         d = d.note(corner + dvec2(3.0, -3.28), &format!("({last})"));
-        d = d.note(corner + dvec2(1.5, 0.75), &format!("{name} space"));
+        d = d.note(corner + dvec2(1.5, 0.95), &format!("{name} space"));
         d = d.note(corner + dvec2(1.5, -3.75), &pair(at));
         if i < 2 {
             d = d.ray(Light::Normal, corner + dvec2(3.25, -1.5), corner + dvec2(4.15, -1.5));
-            d = d.name(["÷ 6", "2x−1"][i]);
+            d = d.name(["÷ 6", "2x − 1"][i]).note(corner + dvec2(3.7, -1.9), ["", "1 − 2y"][i]);
         }
     }
     let middle = dvec2(8.8 + 1.5, 1.5);
@@ -93,7 +100,7 @@ pub fn aspect() -> Figure {
 pub fn field_of_view() -> Figure {
     let angles = [60.0f64, 90.0, 120.0];
     let heights = angles.map(|a| (0.5 * a.to_radians()).tan());
-    let mut d = Diagram::new(dvec2(-0.75, -1.85), dvec2(2.9, 1.85))
+    let mut d = Diagram::new(dvec2(-0.75, -1.95), dvec2(3.1, 1.95))
         .title(&format!("‖BC‖ = tan(α/2): {} at 60°, {} at 90°, {} at 120°", plain(heights[0]), plain(heights[1]), plain(heights[2])))
         .subtitle("side view; the image plane stands at distance ‖AB‖ = 1")
         .alt("Side view of a camera: an eye at A, the image plane at distance 1 in B, its top C. The half angle at A between \
@@ -103,17 +110,16 @@ pub fn field_of_view() -> Figure {
         for sign in [1.0, -1.0] {
             d = d.hidden(&[DVec2::ZERO, dvec2(1.0, sign * height)]);
         }
-        d = d.note(dvec2(1.28, height), &format!("{angle}°: {}", plain(height)));
+        d = d.note(dvec2(1.42, height), &format!("{angle}°: {}", plain(height)));
     }
-    d = d.curve(&[dvec2(1.0, -1.78), dvec2(1.0, 1.78)]).note(dvec2(1.3, -1.6), "image plane");
+    d = d.curve(&[dvec2(1.0, -1.85), dvec2(1.0, 1.85)]).note(dvec2(1.42, -1.6), "image plane");
     d = d.ray(Light::Incident, DVec2::ZERO, dvec2(1.0, 1.0)).ray(Light::Incident, DVec2::ZERO, dvec2(1.0, -1.0));
-    d = d.thin(&[DVec2::ZERO, dvec2(1.0, 0.0)]).ray(Light::Normal, dvec2(1.0, 0.0), dvec2(2.0, 0.0)).name_end("−z");
+    d = d.ray(Light::Normal, dvec2(1.0, 0.0), dvec2(2.7, 0.0)).name_end("−z").thin(&[DVec2::ZERO, dvec2(1.0, 0.0)]).name("1");
     d = d.eye(DVec2::ZERO, DVec2::X).name("A").point(dvec2(1.0, 0.0)).name("B").point(dvec2(1.0, 1.0)).name("C");
     d = d.angle_at(DVec2::ZERO, DVec2::X, DVec2::ONE, 120.0).name("α/2");
     d = d.angle_at(DVec2::ZERO, dvec2(1.0, -1.0), DVec2::ONE, 64.0).name("α");
     d = d.right_angle(dvec2(1.0, 0.0), DVec2::NEG_X, DVec2::Y);
-    d = d.dimension(dvec2(0.0, -1.0), dvec2(1.0, -1.0), -90.0).word("1");
-    d = d.dimension(dvec2(1.0, 1.0), dvec2(1.0, 0.0), 60.0).word("tan 45° = 1");
+    d = d.dimension(dvec2(1.0, 1.0), dvec2(1.0, 0.0), 165.0).word("tan 45° = 1");
     told(d, "After B, figure 5.5. At 90° the image plane at distance 1 is 2 high; other angles scale every pixel's \
              coordinates by the same tangent, which is what a zoom does.")
 }
@@ -139,8 +145,8 @@ fn default_camera(angle: f64) -> Camera {
 pub fn basic_camera() -> Figure {
     let space = Space::axonometric(58.0, 18.0);
     let camera = default_camera(90.0);
-    let mut d = Diagram::new(dvec2(-1.5, -2.25), dvec2(6.5, 2.05))
-        .title("The camera sits at the origin and looks along −z; pixels left of it have x < 0")
+    let mut d = Diagram::new(dvec2(-1.5, -2.25), dvec2(6.95, 2.05))
+        .title("The camera looks along −z; pixels left of its axis have x < 0")
         .subtitle("6 × 6 pixels on the image plane z = −1, 90°; the numbers are the pixels' centres")
         .alt("Left: the camera at the origin of the axes x, y, z, with an image plane of 6 by 6 pixels one unit ahead, \
               along minus z. Right: the same plane from the front, the centres of its corner pixels written in.");
@@ -157,7 +163,7 @@ pub fn basic_camera() -> Figure {
         let screen = screen_from_ndc(raster / 6.0, 1.0, camera.field_of_view());
         let at = corner + dvec2(raster.x, -raster.y) * unit;
         let place = match (i, j) {
-            (4, 1) => at - dvec2(0.0, 0.5),
+            (4, 1) => corner + dvec2(3.42, -raster.y * unit),
             (i, 0) => at + dvec2(if i == 0 { -0.1 } else { 0.1 }, 0.45),
             (i, _) => at - dvec2(if i == 0 { 0.1 } else { -0.1 }, 0.45),
         };
@@ -185,8 +191,8 @@ pub fn camera_to_world() -> Figure {
     for (camera, p, [o, name]) in [(&camera, p, ["O", "P"]), (&moved, q, ["O′", "P′"])] {
         d = film(d, &space, camera, 1.0, 7, 5);
         let (from, f) = (camera.position(), camera.frame());
-        for (axis, name) in [(f.right, "right"), (f.up, "up")] {
-            d = d.ray(Light::Normal, space.at(from), space.at(from + axis * 0.75)).name_end(name);
+        for (axis, name) in [(f.right * 0.75, "right"), (f.up * 1.25, "up")] {
+            d = d.ray(Light::Normal, space.at(from), space.at(from + axis)).name_end(name);
         }
         d = d.ray(Light::Incident, space.at(from), space.at(from + (p - from) * 1.9));
         d = d.point(space.at(from)).name(o).spot(Light::Reflected, space.at(p)).name(name);
