@@ -1,12 +1,9 @@
 //! Diagrams of lesson 01: from a pixel to a ray.
 
+use super::obscura::told;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use lightbench::kit::figure::{Diagram, Figure, Light, Space};
 use lightbench::scene::{Camera, FieldOfView, camera_from_screen, ndc_from_raster, screen_from_ndc};
-
-fn told(diagram: Diagram, caption: &str) -> Figure {
-    Figure::from(diagram).caption(caption)
-}
 
 /// A number as short as it is: 0.75, −1.2, 1.
 pub fn plain(x: f64) -> String {
@@ -18,12 +15,35 @@ pub fn plain(x: f64) -> String {
 /// A count with thin spaces between its thousands.
 pub fn grouped(n: u32) -> String {
     let digits = n.to_string();
-    let groups: Vec<&str> = digits.as_bytes().rchunks(3).rev().filter_map(|g| std::str::from_utf8(g).ok()).collect();
+    let groups: Vec<&str> =
+        digits.as_bytes().rchunks(3).rev().filter_map(|g| std::str::from_utf8(g).ok()).collect();
     groups.join("\u{202F}")
 }
 
 pub fn pair(p: DVec2) -> String {
     format!("({}, {})", plain(p.x), plain(p.y))
+}
+
+/// One pixel of B's picture of 7 × 5, from the raster to a ray in the world, in words.
+pub fn of_one_pixel() -> String {
+    let (size, fov) = (dvec2(7.0, 5.0), FieldOfView::Vertical(90f64.to_radians()));
+    let raster = dvec2(0.5, 0.5); // the centre of the upper left pixel
+    let ndc = ndc_from_raster(raster, size);
+    let screen = screen_from_ndc(ndc, size.x / size.y, fov);
+    let p = camera_from_screen(screen);
+    let triple = |v: DVec3| format!("({}, {}, {})", plain(v.x), plain(v.y), plain(v.z));
+    format!(
+        "A picture of 7 × 5 pixels, 90° at distance 1, aspect 7/5 = {}. The centre of its first pixel is\n  \
+             {} in \
+         raster space,\n  {} in NDC,\n  {} on the screen, after aspect and tan 45° = 1,\n  {} in camera \
+         space,\nand its ray leaves the origin along {}.",
+        plain(size.x / size.y),
+        pair(raster),
+        pair(ndc),
+        pair(screen),
+        triple(p),
+        triple(p.normalize())
+    )
 }
 
 /// A grid of pixels on paper, the raster's corner (0,0) at its upper left, with one pixel tinted.
@@ -48,9 +68,15 @@ pub fn raster_ndc_screen() -> Figure {
     let side = DVec2::splat(3.0);
     let mut d = Diagram::new(dvec2(-0.75, -1.15), dvec2(12.6, 4.25))
         .title(&format!("One pixel, three names: {} → {} → {}", pair(pixel + 0.5), pair(ndc), pair(screen)))
-        .subtitle("6 × 6 pixels; the centre of column 4, row 1, counted from 0 at the upper left; aspect 1, 90°")
-        .alt("Three square grids of 6 by 6 pixels side by side, joined by arrows. The same pixel, in column 4 and row 1, \
-              is marked in each, with its coordinates in raster, NDC and screen space.");
+        .subtitle(
+            "6 × 6 pixels; the centre of column 4, row 1, counted from 0 at the upper left; aspect 1, \
+             90°",
+        )
+        .alt(
+            "Three square grids of 6 by 6 pixels side by side, joined by arrows. The same pixel, in column \
+             4 and row 1, \
+              is marked in each, with its coordinates in raster, NDC and screen space.",
+        );
     let ends = [("0, 0", "6, 6"), ("0, 0", "1, 1"), ("−1, 1", "1, −1")];
     let names = [("raster", pixel + 0.5), ("NDC", ndc), ("screen", screen)];
     for (i, ((name, at), (first, last))) in names.into_iter().zip(ends).enumerate() {
@@ -68,8 +94,11 @@ pub fn raster_ndc_screen() -> Figure {
     let middle = dvec2(8.8 + 1.5, 1.5);
     d = d.ray(Light::Normal, middle, middle + dvec2(1.85, 0.0)).name_end("x");
     d = d.ray(Light::Normal, middle, middle + dvec2(0.0, 1.85)).name_end("y");
-    told(d, "After B, figure 5.3. Dividing by the picture's size gives NDC in [0,1]; 2x − 1 and 1 − 2y move \
-             the origin to the middle and turn y upwards.")
+    told(
+        d,
+        "After B, figure 5.3. Dividing by the picture's size gives NDC in [0,1]; 2x − 1 and 1 − 2y move \
+             the origin to the middle and turn y upwards.",
+    )
 }
 
 /// B, figure 5.4: 7 × 5 pixels, squashed into [−1,1]² and put right by the aspect.
@@ -80,13 +109,23 @@ pub fn aspect() -> Figure {
     let (square, right) = (screen_from_ndc(ndc, 1.0, fov), screen_from_ndc(ndc, size.x / size.y, fov));
     let mut d = Diagram::new(dvec2(-1.5, -1.6), dvec2(4.5, 1.5))
         .title(&format!("The aspect 7/5 = {} makes the pixels square again", plain(size.x / size.y)))
-        .subtitle(&format!("7 × 5 pixels, 90° at distance 1; the upper left pixel's centre: {} → {}", pair(square), pair(right)))
-        .alt("Two grids of 7 by 5 pixels. On the left a square from −1 to 1 with pixels that are taller than wide; on \
-              the right a rectangle from −1.4 to 1.4 with square pixels.");
+        .subtitle(&format!(
+            "7 × 5 pixels, 90° at distance 1; the upper left pixel's centre: {} → \
+             {}",
+            pair(square),
+            pair(right)
+        ))
+        .alt(
+            "Two grids of 7 by 5 pixels. On the left a square from −1 to 1 with pixels that are taller \
+             than wide; on \
+              the right a rectangle from −1.4 to 1.4 with square pixels.",
+        );
     d = grid(d, dvec2(-1.0, 1.0), dvec2(2.0, 2.0), size, pixel);
     d = grid(d, dvec2(1.6, 1.0), dvec2(2.8, 2.0), size, pixel);
     for (middle, half) in [(0.0, 1.0), (3.0, 1.4)] {
-        d = d.note(dvec2(middle - half, -1.12), &plain(-half)).note(dvec2(middle + half, -1.12), &plain(half));
+        d = d
+            .note(dvec2(middle - half, -1.12), &plain(-half))
+            .note(dvec2(middle + half, -1.12), &plain(half));
         d = d.note(dvec2(middle, -1.12), "x");
     }
     d = d.note(dvec2(-1.12, 1.0), "1").note(dvec2(-1.15, -1.0), "−1").note(dvec2(-1.12, 0.0), "y");
@@ -100,11 +139,21 @@ pub fn aspect() -> Figure {
 pub fn field_of_view() -> Figure {
     let angles = [60.0f64, 90.0, 120.0];
     let heights = angles.map(|a| (0.5 * a.to_radians()).tan());
-    let mut d = Diagram::new(dvec2(-0.75, -1.95), dvec2(3.1, 1.95))
-        .title(&format!("‖BC‖ = tan(α/2): {} at 60°, {} at 90°, {} at 120°", plain(heights[0]), plain(heights[1]), plain(heights[2])))
+    let mut d = Diagram::new(dvec2(-0.75, -2.15), dvec2(3.1, 1.95))
+        .title(&format!(
+            "‖BC‖ = tan(α/2): {} at 60°, {} at 90°, {} at \
+             120°",
+            plain(heights[0]),
+            plain(heights[1]),
+            plain(heights[2])
+        ))
         .subtitle("side view; the image plane stands at distance ‖AB‖ = 1")
-        .alt("Side view of a camera: an eye at A, the image plane at distance 1 in B, its top C. The half angle at A between \
-              AB and AC is α/2. Dashed lines show the fields of 60 and 120 degrees, which end lower and higher.");
+        .alt(
+            "Side view of a camera: an eye at A, the image plane at distance 1 in B, its top C. The half \
+             angle at A between \
+              AB and AC is α/2. Dashed lines show the fields of 60 and 120 degrees, which end lower and \
+              higher.",
+        );
     d = d.region(Light::Incident, &[DVec2::ZERO, dvec2(1.0, heights[1]), dvec2(1.0, -heights[1])]);
     for (angle, height) in angles.iter().zip(heights).filter(|(a, _)| **a != 90.0) {
         for sign in [1.0, -1.0] {
@@ -113,15 +162,33 @@ pub fn field_of_view() -> Figure {
         d = d.note(dvec2(1.42, height), &format!("{angle}°: {}", plain(height)));
     }
     d = d.curve(&[dvec2(1.0, -1.85), dvec2(1.0, 1.85)]).note(dvec2(1.42, -1.6), "image plane");
-    d = d.ray(Light::Incident, DVec2::ZERO, dvec2(1.0, 1.0)).ray(Light::Incident, DVec2::ZERO, dvec2(1.0, -1.0));
-    d = d.ray(Light::Normal, dvec2(1.0, 0.0), dvec2(2.7, 0.0)).name_end("−z").thin(&[DVec2::ZERO, dvec2(1.0, 0.0)]).name("1");
-    d = d.eye(DVec2::ZERO, DVec2::X).name("A").point(dvec2(1.0, 0.0)).name("B").point(dvec2(1.0, 1.0)).name("C");
+    d = d.ray(Light::Incident, DVec2::ZERO, dvec2(1.0, 1.0)).ray(
+        Light::Incident,
+        DVec2::ZERO,
+        dvec2(1.0, -1.0),
+    );
+    d = d
+        .ray(Light::Normal, dvec2(1.0, 0.0), dvec2(2.7, 0.0))
+        .name_end("−z")
+        .thin(&[DVec2::ZERO, dvec2(1.0, 0.0)]);
+    d = d.dimension(dvec2(0.0, -1.9), dvec2(1.0, -1.9), -9.0).word("1");
+    d = d
+        .eye(DVec2::ZERO, DVec2::X)
+        .name("A")
+        .point(dvec2(1.0, 0.0))
+        .name("B")
+        .point(dvec2(1.0, 1.0))
+        .name("C");
     d = d.angle_at(DVec2::ZERO, DVec2::X, DVec2::ONE, 120.0).name("α/2");
     d = d.angle_at(DVec2::ZERO, dvec2(1.0, -1.0), DVec2::ONE, 64.0).name("α");
     d = d.right_angle(dvec2(1.0, 0.0), DVec2::NEG_X, DVec2::Y);
     d = d.dimension(dvec2(1.0, 1.0), dvec2(1.0, 0.0), 165.0).word("tan 45° = 1");
-    told(d, "After B, figure 5.5. At 90° the image plane at distance 1 is 2 high; other angles scale every pixel's \
-             coordinates by the same tangent, which is what a zoom does.")
+    told(
+        d,
+        "After B, figure 5.5. At 90° the image plane at distance 1 is 2 high; other angles scale every \
+             pixel's \
+             coordinates by the same tangent, which is what a zoom does.",
+    )
 }
 
 /// The image plane of a camera as `columns × rows` pixels, ruled on paper.
@@ -148,8 +215,12 @@ pub fn basic_camera() -> Figure {
     let mut d = Diagram::new(dvec2(-1.5, -2.25), dvec2(6.95, 2.05))
         .title("The camera looks along −z; pixels left of its axis have x < 0")
         .subtitle("6 × 6 pixels on the image plane z = −1, 90°; the numbers are the pixels' centres")
-        .alt("Left: the camera at the origin of the axes x, y, z, with an image plane of 6 by 6 pixels one unit ahead, \
-              along minus z. Right: the same plane from the front, the centres of its corner pixels written in.");
+        .alt(
+            "Left: the camera at the origin of the axes x, y, z, with an image plane of 6 by 6 pixels one \
+             unit ahead, \
+              along minus z. Right: the same plane from the front, the centres of its corner pixels written \
+              in.",
+        );
     d = film(d, &space, &camera, 1.0, 6, 6).axes(&space, DVec3::ZERO, 1.15);
     d = d.point(space.at(DVec3::ZERO)).name("O");
     d = d.ray(Light::Incident, space.at(DVec3::ZERO), space.at(DVec3::NEG_Z * 2.2)).name_end("−z");
@@ -185,9 +256,19 @@ pub fn camera_to_world() -> Figure {
     let text = |v: DVec3| format!("({:.2}, {:.2}, {:.2})", v.x, v.y, v.z).replace('-', "−");
     let mut d = Diagram::fitted()
         .title("Camera to world turns P and carries it along: the ray is O′P′")
-        .subtitle(&format!("P = {} in camera space → P′ = {} in the world, O′ = {}", text(p), text(q), text(moved.position())))
-        .alt("Two cameras with their image planes of 7 by 5 pixels: one at the origin that looks along minus z, with the point P \
-              on its plane, and the same camera moved and turned, with the points O prime and P prime and the ray through them.");
+        .subtitle(&format!(
+            "P = {} in camera space → P′ = {} in the world, O′ = \
+             {}",
+            text(p),
+            text(q),
+            text(moved.position())
+        ))
+        .alt(
+            "Two cameras with their image planes of 7 by 5 pixels: one at the origin that looks along \
+             minus z, with the point P \
+              on its plane, and the same camera moved and turned, with the points O prime and P prime and \
+              the ray through them.",
+        );
     for (camera, p, [o, name]) in [(&camera, p, ["O", "P"]), (&moved, q, ["O′", "P′"])] {
         d = film(d, &space, camera, 1.0, 7, 5);
         let (from, f) = (camera.position(), camera.frame());
@@ -197,29 +278,44 @@ pub fn camera_to_world() -> Figure {
         d = d.ray(Light::Incident, space.at(from), space.at(from + (p - from) * 1.9));
         d = d.point(space.at(from)).name(o).spot(Light::Reflected, space.at(p)).name(name);
     }
-    told(d, "After B, figure 5.6. In its place the camera's axes are the world's; moved, three unit vectors (right, up, \
-             forward) and the position O′ make the matrix.")
+    told(
+        d,
+        "After B, figure 5.6. In its place the camera's axes are the world's; moved, three unit vectors \
+             (right, up, \
+             forward) and the position O′ make the matrix.",
+    )
 }
 
 /// D, figure 14: the parameters of a camera in a scene file.
 pub fn parameters() -> Figure {
     let (pov, poi, fov) = (dvec3(0.0, 1.0, 1.0), DVec3::ZERO, 45.0f64);
     let space = Space::axonometric(62.0, 16.0);
-    let camera = Camera::new(pov, poi, DVec3::Y, FieldOfView::Vertical(fov.to_radians())).expect("D's default camera");
+    let camera =
+        Camera::new(pov, poi, DVec3::Y, FieldOfView::Vertical(fov.to_radians())).expect("D's default camera");
     let (f, reach) = (*camera.frame(), pov.distance(poi));
     let half = (0.5 * fov.to_radians()).tan() * 0.55;
     let (eye, at) = (space.at(pov), |s: f64| space.at(pov + f.forward * 0.55 + f.up * (s * half)));
     let mut d = Diagram::fitted()
         .title(&format!("A camera is two points and an angle: POV, POI, FOV {fov}°"))
-        .subtitle(&format!("Camera {{ POV 0 1 1   POI 0 0 0   FOV {fov} }}: D's defaults; distance {reach:.3}"))
-        .alt("A camera at the point of view POV looks down at the point of interest POI. Its field of view FOV opens between the \
-              bottom and the top of the image plane. The axes x, y, z start at the origin.");
+        .subtitle(&format!(
+            "Camera {{ POV 0 1 1   POI 0 0 0   FOV {fov} }}: D's defaults; distance \
+             {reach:.3}"
+        ))
+        .alt(
+            "A camera at the point of view POV looks down at the point of interest POI. Its field of view \
+             FOV opens between the \
+              bottom and the top of the image plane. The axes x, y, z start at the origin.",
+        );
     d = film(d, &space, &camera, 0.55, 4, 4).axes(&space, DVec3::ZERO, 0.6);
     d = d.ray(Light::Incident, eye, space.at(poi)).point(space.at(poi)).word("POI = (0, 0, 0)");
     d = d.point(eye).word("POV = (0, 1, 1)");
     d = d.angle_at(eye, at(-1.0) - eye, at(1.0) - eye, 130.0).word("FOV");
     d = d.thin(&[eye, at(-1.0)]).thin(&[eye, at(1.0)]);
     d = d.ray(Light::Normal, eye, space.at(pov + f.up * 0.4)).word("up");
-    told(d, "After D, figure 14. The angle spans the picture from its lower to its upper edge; up is the y axis as far as it \
-             is perpendicular to the view.")
+    told(
+        d,
+        "After D, figure 14. The angle spans the picture from its lower to its upper edge; up is the y axis \
+             as far as it \
+             is perpendicular to the view.",
+    )
 }

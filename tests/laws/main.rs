@@ -8,6 +8,7 @@ mod film;
 mod film_files;
 mod frame;
 mod local;
+mod pinhole;
 mod sample;
 mod scene_file;
 mod statistics;
