@@ -4,6 +4,7 @@
 mod support;
 
 mod film;
+mod pinhole;
 mod sample;
 mod statistics;
 mod surfaces;
