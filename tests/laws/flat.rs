@@ -9,7 +9,8 @@ use lightbench::shape::disc::Disc;
 use lightbench::shape::plane::Plane;
 use lightbench::shape::polygon::Polygon;
 use lightbench::shape::triangle::{
-    Facing, ShearedRay, Triangle, interpolated_normal, moller_trumbore, plane_and_areas, terminator_point,
+    Facing, PreparedRay, Triangle, icosphere, interpolated_normal, moller_trumbore, plane_and_areas,
+    terminator_point,
 };
 use lightbench::shape::{Shape, ShapeError, Sides};
 use proptest::prelude::*;
@@ -136,39 +137,6 @@ fn front_sides_answer_only_rays_against_the_normal() {
     }
 }
 
-/// Icosahedron, each triangle split in four `levels` times, corners on the unit sphere.
-fn icosphere(levels: u32) -> Vec<[DVec3; 3]> {
-    let g = 0.5 + 1.25f64.sqrt();
-    let corner = |i: usize| {
-        let (a, b) = ([1.0, -1.0][i % 2], [g, -g][i / 2 % 2]);
-        DVec3::from_array([[0.0, a, b], [a, b, 0.0], [b, 0.0, a]][i / 4]).normalize()
-    };
-    let mut faces = Vec::new();
-    let near = |a: DVec3, b: DVec3| (a - b).length() < 1.1;
-    for i in 0..12 {
-        for j in i + 1..12 {
-            for k in j + 1..12 {
-                let [a, b, c] = [corner(i), corner(j), corner(k)];
-                if near(a, b) && near(b, c) && near(c, a) {
-                    let outwards = (b - a).cross(c - a).dot(a) > 0.0;
-                    faces.push(if outwards { [a, b, c] } else { [a, c, b] });
-                }
-            }
-        }
-    }
-    for _ in 0..levels {
-        let half = |a: DVec3, b: DVec3| (a + b).normalize();
-        faces = faces
-            .iter()
-            .flat_map(|&[a, b, c]| {
-                let (ab, bc, ca) = (half(a, b), half(b, c), half(c, a));
-                [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-            })
-            .collect();
-    }
-    faces
-}
-
 /// Numbers in [0,1) from a counter (Steele, Lea & Flood's SplitMix64).
 fn hashed(i: u64, dimension: u64) -> f64 {
     let mut z = (i * 16 + dimension + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
@@ -199,7 +167,7 @@ fn a_closed_mesh_does_not_leak() {
             // Every other ray starts in the middle, and every sixth then points exactly at a corner.
             let spread = if i % 2 == 0 { 0.0 } else { 0.8 };
             let origin = DVec3::new(hashed(i, 2) - 0.5, hashed(i, 3) - 0.5, hashed(i, 4) - 0.5) * spread;
-            let ray = ShearedRay::new(&Ray::new(origin, target - origin));
+            let ray = PreparedRay::new(&Ray::new(origin, target - origin));
             !touching[face].iter().any(|&g| ray.meet(faces[g]).is_some_and(|m| m.t > 0.0))
         })
         .count();
@@ -220,7 +188,7 @@ fn moller_trumbore_leaks_at_edges() {
     let lost: Vec<Ray> = (0..100_000).map(through).filter(|(hit, _)| !hit).map(|(_, ray)| ray).collect();
     assert!(!lost.is_empty());
     for ray in lost {
-        let ray = ShearedRay::new(&ray);
+        let ray = PreparedRay::new(&ray);
         assert!(ray.meet([a, b, c]).or(ray.meet([b, a, d])).is_some());
     }
 }
@@ -251,7 +219,7 @@ proptest! {
     #[test]
     fn a_polygon_is_the_sum_of_its_triangles(ray in crate::shapes::rays()) {
         let polygon = Polygon::new(ARROW.to_vec()).unwrap();
-        let sheared = ShearedRay::new(&ray);
+        let sheared = PreparedRay::new(&ray);
         let halves = [[ARROW[0], ARROW[1], ARROW[2]], [ARROW[0], ARROW[2], ARROW[3]]];
         let met = halves.iter().find_map(|&half| sheared.meet(half)).filter(|m| m.t > 0.0);
         let found = polygon.nearest(&ray, 0.0, f64::INFINITY);
@@ -265,12 +233,12 @@ proptest! {
     /// 1/cos and 1000 lengths, hence the 10⁻⁹.
     #[test]
     fn three_ways_to_meet_a_triangle_agree(ray in crate::shapes::rays()) {
-        let Some(m) = ShearedRay::new(&ray).meet_plane(CORNERS) else { return Ok(()) };
+        let Some(m) = PreparedRay::new(&ray).meet_plane(CORNERS) else { return Ok(()) };
         prop_assume!(m.b.iter().all(|b| b.abs() > 1e-9));
         let slant = ray.direction.normalize().dot(Triangle::new(CORNERS[0], CORNERS[1], CORNERS[2]).unwrap().normal());
         prop_assume!(slant.abs() > 1e-3);
         let inside = m.b.iter().all(|&b| b > 0.0);
-        let sheared = ShearedRay::new(&ray).meet(CORNERS);
+        let sheared = PreparedRay::new(&ray).meet(CORNERS);
         for found in [moller_trumbore(&ray, CORNERS), plane_and_areas(&ray, CORNERS), sheared] {
             prop_assert_eq!(found.is_some(), inside);
             if let Some(f) = found {
@@ -284,7 +252,7 @@ proptest! {
     #[test]
     fn corners_may_be_renamed(ray in crate::shapes::rays()) {
         let [a, b, c] = CORNERS;
-        let sheared = ShearedRay::new(&ray);
+        let sheared = PreparedRay::new(&ray);
         let met = sheared.meet([a, b, c]);
         let turned = sheared.meet([b, c, a]);
         let flipped = sheared.meet([b, a, c]);

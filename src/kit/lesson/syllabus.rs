@@ -41,6 +41,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &["integrator", "light", "scene_file", "shape::cuboid"],
         builds_on: &[(1, "a pixel becomes a ray"), (2, "a ray meets a sphere")],
     },
+    Entry {
+        number: 4,
+        name: "flat_things",
+        question: "Which ray–triangle test lets no ray through a closed surface, and what does it cost?",
+        chapter: "Surfaces",
+        introduces: &["shape::plane", "shape::disc", "shape::polygon", "shape::triangle"],
+        builds_on: &[(2, "a ray meets a sphere"), (3, "a light, a shadow and a first picture")],
+    },
 ];
 
 impl Entry {
