@@ -81,6 +81,7 @@ impl Neg for Counted {
 
 impl Real for Counted {
     const ZERO: Self = Counted(0.0);
+    const ROUNDOFF: f64 = super::U;
     fn from_f64(x: f64) -> Self {
         Counted(x)
     }

@@ -5,6 +5,7 @@ mod support;
 
 mod film;
 mod sample;
+mod sphere;
 mod statistics;
 mod surfaces;
 mod tables;
