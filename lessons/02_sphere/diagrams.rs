@@ -361,7 +361,7 @@ pub fn worked_examples(lesson: &Lesson) -> Result {
         "2, inside: C prints",
         "this run",
     ])
-    .title("C's two examples come out as printed, to its third digit")
+    .title("C's two examples come out as printed, but for its roundings")
     .subtitle(
         "f = R_{0} − S_{c}; example 1 f = (−2, −2, −6), S_{r} = 3; example 2 f = (−1, −3, −1), S_{r} = 4",
     );

@@ -136,7 +136,7 @@ pub fn savings(costs: &[Cost; 5]) -> Figure {
     let mut table = Table::new(&["First meeting by", "operations", "square roots", "ns per ray", "quartiles", "time, ratio"])
         .timed()
         .title(&format!(
-            "C's exit saves {:.1} of {:.1} operations a ray, B's test {:.1} of {:.1} square roots",
+            "C's exit saves {:.1} of {:.1} operations a ray, B's test {:.1} of {:.1} roots",
             costs[0].operations - costs[1].operations,
             costs[0].operations,
             costs[2].roots - costs[3].roots,

@@ -17,7 +17,7 @@ mod num;
 mod quadrics;
 mod sample;
 mod scene_file;
-mod sphere;
 mod shapes;
+mod sphere;
 mod statistics;
 mod torus;
