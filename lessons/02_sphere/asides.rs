@@ -3,12 +3,13 @@
 use super::{Line, RADIUS, WIDEST, figures, judge, line_at, lines, rounded};
 use lightbench::kit::figure::{Axis, FailureMap, Figure};
 use lightbench::kit::lesson::Lesson;
-use lightbench::measure::{Spread, Tally, time_each};
+use lightbench::measure::{Spread, Tally, timed};
 use lightbench::num::counted::{Counted, count};
 use lightbench::num::real::Triple;
 use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::shape::sphere::as_printed;
 use lightbench::shape::sphere::method::{self, Pair, algebraic, geometric, in_front, robust};
+use std::hint::black_box;
 
 const MAP: std::ops::Range<f64> = 1.0..1.0e8; // distance/radius
 
@@ -40,6 +41,13 @@ pub fn failure_map(
     figures::failure_words(map, name, nearest)
 }
 
+/// Time per ray [s]: median and quartiles of 101 runs, each long enough for the clock and too short to be interrupted often.
+pub fn time_per_ray<T>(rays: usize, work: impl Fn() -> T) -> Spread {
+    let repeats = 4096 / rays.max(1) + 1;
+    let run = |_| timed(|| (0..repeats).for_each(|_| drop(black_box(work())))).0 / (repeats * rays) as f64;
+    Spread::median(&(0..101).map(run).collect::<Vec<f64>>()).unwrap_or(Spread::exact(0.0))
+}
+
 /// What a way to the first meeting costs per ray.
 pub struct Cost {
     pub name: &'static str,
@@ -59,7 +67,7 @@ pub fn savings(seed: u64) -> [Cost; 5] {
             name,
             operations: done.total() as f64 / n,
             roots: done.roots as f64 / n,
-            time: time_each(lines.len(), plain),
+            time: time_per_ray(lines.len(), plain),
         }
     };
     macro_rules! way {

@@ -19,5 +19,6 @@ mod quadrics;
 mod sample;
 mod scene_file;
 mod shapes;
+mod sphere;
 mod statistics;
 mod torus;

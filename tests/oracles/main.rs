@@ -6,6 +6,7 @@ mod support;
 mod film;
 mod pinhole;
 mod sample;
+mod sphere;
 mod statistics;
 mod surfaces;
 mod tables;
