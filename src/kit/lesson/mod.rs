@@ -15,6 +15,7 @@ use super::flags::{Flags, Quality};
 use crate::film::Image;
 use crate::film::file::{FileError, Format, encode, write_atomically};
 use clap::{CommandFactory, FromArgMatches, Parser};
+use rayon::prelude::*;
 use std::cell::RefCell;
 use std::io::Write;
 use std::ops::RangeInclusive;
@@ -60,6 +61,8 @@ pub struct Lesson {
     out: PathBuf,
     record: RefCell<LessonRecord>,
     paths: RefCell<Vec<PathBuf>>,
+    /// Figures whose PNG is drawn at the end, all at once on all cores.
+    pending: RefCell<Vec<(PathBuf, Figure)>>,
 }
 
 impl Lesson {
@@ -85,7 +88,8 @@ impl Lesson {
         let command = format!("cargo run --bin {}{}", entry.program(), flags.canonical());
         let record = LessonRecord::new(entry, command);
         let out = flags.out();
-        Ok(Lesson { entry, flags, out, record: RefCell::new(record), paths: RefCell::default() })
+        let (paths, pending) = (RefCell::default(), RefCell::default());
+        Ok(Lesson { entry, flags, out, record: RefCell::new(record), paths, pending })
     }
 
     pub fn seed(&self) -> u64 {
@@ -133,15 +137,16 @@ impl Lesson {
         let figure = figure.provenance(provenance);
         let timed = |repeats| if repeats == Repeats::Timed { "_time" } else { "" };
         let name = format!("{}_{what}{}", self.entry.stem(), timed(figure.repeats));
-        let mut files = vec![
-            self.write(&format!("{name}.svg"), figure.svg().as_bytes())?,
-            self.write(&format!("{name}.png"), &figure.png())?,
-        ];
+        let mut files =
+            vec![self.write(&format!("{name}.svg"), figure.svg().as_bytes())?, format!("{name}.png")];
+        self.paths.borrow_mut().push(self.out.join(&files[1]));
         for data in &figure.data {
             let name = format!("{}_{what}{}.csv", self.entry.stem(), timed(data.repeats));
             files.push(self.write(&name, data.csv.as_bytes())?);
         }
-        self.describe(&name, &figure.title, &figure.caption, &figure.alt, files)
+        self.describe(&name, &figure.title, &figure.caption, &figure.alt, files)?;
+        self.pending.borrow_mut().push((self.out.join(format!("{name}.png")), figure));
+        Ok(())
     }
 
     /// Writes a rendered picture as PNG, and its words as JSON.
@@ -176,6 +181,8 @@ impl Lesson {
     ///
     /// - Errors: a claim that failed, a file that cannot be written.
     pub fn answer(self, sentence: &str) -> Result {
+        let pending = self.pending.take();
+        pending.into_par_iter().try_for_each(|(path, figure)| write_atomically(&path, &figure.png()))?;
         print(&format!("\nAnswer: {sentence}\n"));
         self.record.borrow_mut().answer = sentence.to_string();
         let json = self.record.borrow().json();
