@@ -37,6 +37,9 @@ const PHOTONS: u32 = 1_000_000; // of a bare bulb in the lamp's place
 const HOLES: [f64; 7] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0]; // m, diameters; the first expects 6 photons
 const REPETITIONS: u32 = 16; // an RMS error over 16 runs scatters by 1/√32 ≈ 18 %
 
+/// An estimate of the irradiance from one photon or ray.
+type Estimator = fn(Sampler) -> f64;
+
 fn main() -> Result {
     let lesson = Lesson::open(1)?;
 
@@ -47,7 +50,7 @@ fn main() -> Result {
 
     // 2. The contestants: follow light from the lamp, or ask from the film; blind, or aimed at the hole.
     let counted = photons_through(lesson.seed());
-    let contest = |(method, budgets, sample): (Method, _, fn(Sampler) -> f64)| {
+    let contest = |(method, budgets, sample): (Method, _, Estimator)| {
         let mut answers = Vec::new();
         let series = measure::sweep(&lesson.budgets(budgets), REPETITIONS, irradiance, |rays, run| {
             let index = u64::from(rays) << 32 | u64::from(run); // budgets share no ray
@@ -58,7 +61,7 @@ fn main() -> Result {
         let largest = answers.into_iter().rev().take(REPETITIONS as usize);
         ((method, series), largest.collect::<Moments>())
     };
-    let contestants: [(Method, RangeInclusive<u32>, fn(Sampler) -> f64); 4] = [
+    let contestants: [(Method, RangeInclusive<u32>, Estimator); 4] = [
         (Method::new("forward, blind"), 14..=18, forward),
         (Method::new("forward, at the hole"), 8..=16, forward_at_hole),
         (Method::new("backward, blind"), 10..=16, backward),
