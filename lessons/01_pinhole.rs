@@ -1,8 +1,8 @@
 //! Lesson 01. How does a hole make a picture, and why do we trace light backwards?
 //!
 //! Builds on:  nothing. Start here.
-//! New here:   the camera obscura and its window; raster, NDC, screen, camera and world space; forward against
-//!             backward tracing of one pixel, against a closed form.
+//! New here:   the camera obscura and its window; raster, NDC, screen, camera and world space; forward
+//!             against backward tracing of one pixel, against a closed form.
 //! Notation:   E irradiance of the film [W m⁻²], Ω solid angle [sr], α field of view.
 //! Predict:    a lamp throws a million photons at a box with a hole of 2 cm, 1 m away. How many come in?
 //! Figure:     01_pinhole_error_over_rays_time.svg
@@ -20,10 +20,12 @@ mod stage;
 
 use glam::{DVec2, Vec3Swizzles};
 use lightbench::kit::lesson::{Lesson, Result};
-use lightbench::measure::{self, Method, Series};
+use lightbench::measure::{self, Method};
+use lightbench::num::statistics::Moments;
 use lightbench::sample::{Sampler, cosine_hemisphere, point2, uniform_disc, uniform_sphere};
 use lightbench::scene::pinhole::{coaxial_discs_share, hole_solid_angle};
 use std::f64::consts::{PI, TAU};
+use std::ops::RangeInclusive;
 
 const DEPTH: f64 = 0.1; // m, from the hole to the film
 const DISTANCE: f64 = 1.0; // m, from the lamp to the hole
@@ -35,6 +37,9 @@ const PHOTONS: u32 = 1_000_000; // of a bare bulb in the lamp's place
 const HOLES: [f64; 7] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0]; // m, diameters; the first expects 6 photons
 const REPETITIONS: u32 = 16; // an RMS error over 16 runs scatters by 1/√32 ≈ 18 %
 
+/// An estimate of the irradiance from one photon or ray.
+type Estimator = fn(Sampler) -> f64;
+
 fn main() -> Result {
     let lesson = Lesson::open(1)?;
 
@@ -45,19 +50,24 @@ fn main() -> Result {
 
     // 2. The contestants: follow light from the lamp, or ask from the film; blind, or aimed at the hole.
     let counted = photons_through(lesson.seed());
-    let sweep = |first, last, sample: fn(Sampler) -> f64| {
-        measure::sweep(&lesson.budgets(first..=last), REPETITIONS, irradiance, |rays, run| {
-            let series = u64::from(rays) << 32 | u64::from(run); // budgets share no ray
-            let of = |i| sample(Sampler::new(lesson.seed(), series, i));
-            (0..rays).map(of).sum::<f64>() / f64::from(rays)
-        })
+    let contest = |(method, budgets, sample): (Method, _, Estimator)| {
+        let mut answers = Vec::new();
+        let series = measure::sweep(&lesson.budgets(budgets), REPETITIONS, irradiance, |rays, run| {
+            let index = u64::from(rays) << 32 | u64::from(run); // budgets share no ray
+            let of = |i| sample(Sampler::new(lesson.seed(), index, i));
+            answers.push((0..rays).map(of).sum::<f64>() / f64::from(rays));
+            answers[answers.len() - 1]
+        });
+        let largest = answers.into_iter().rev().take(REPETITIONS as usize);
+        ((method, series), largest.collect::<Moments>())
     };
-    let methods: [(Method, Series); 4] = [
-        (Method::new("forward, blind"), sweep(14, 18, forward)),
-        (Method::new("forward, at the hole"), sweep(8, 16, forward_at_hole)),
-        (Method::new("backward, blind"), sweep(10, 16, backward)),
-        (Method::default_of("backward, at the hole"), sweep(4, 14, backward_at_hole)),
+    let contestants: [(Method, RangeInclusive<u32>, Estimator); 4] = [
+        (Method::new("forward, blind"), 14..=18, forward),
+        (Method::new("forward, at the hole"), 8..=16, forward_at_hole),
+        (Method::new("backward, blind"), 10..=16, backward),
+        (Method::default_of("backward, at the hole"), 4..=14, backward_at_hole),
     ];
+    let (methods, answers): (Vec<_>, Vec<_>) = contestants.map(contest).into_iter().unzip();
     let (film, window) = (stage::on_film(), stage::in_window());
 
     // 3. The figures: the documents' diagrams, the pictures, the charts.
@@ -77,18 +87,20 @@ fn main() -> Result {
     let apart = film.pixels().iter().enumerate().map(|(i, p)| (*p - turned(i)).abs().max_element());
     let differing = apart.filter(|d| *d > measure::rounding(100, 1.0)).count();
     lesson.claim("the film's picture is the window's, turned by 180°, in every pixel", differing == 0);
-    let slopes = methods.iter().map(|(_, series)| measure::log_slope(series, REPETITIONS));
-    lesson.claim(
-        "four times the rays halve the error of all four",
-        slopes.into_iter().all(|s| s.agrees_with(-0.5)),
-    );
+    let right = answers.iter().all(|runs| {
+        let (mean, error) = (runs.mean().unwrap_or(f64::NAN), runs.standard_error().unwrap_or(f64::NAN));
+        measure::agrees(mean, irradiance, measure::statistical(error, 1))
+    });
+    lesson.claim("all four find the irradiance of the closed form", right);
+    let slope = |(_, series): &(_, _)| measure::log_slope(series, REPETITIONS);
+    let halve = methods.iter().map(slope).all(|s| s.agrees_with(-0.5));
+    lesson.claim("four times the rays halve the error of all four", halve);
     let rays = |k: usize| charts::rays_to(&methods[k].1, 0.01);
     lesson.answer(&format!(
-        "through a hole every point of the film sees one direction only, so the picture stands upside down; \
-             of {} \
-         photons {} pass a hole of 2 cm ({:.1} expected), and to know one pixel to 1 % takes {} photons forwards ({} \
-         if all are aimed at the hole) but {:.0} rays backwards: they start where we look, and every one \
-         counts.",
+        "through a hole every point of the film sees one direction only, so the picture stands upside \
+         down; of {} photons {} pass a hole of 2 cm ({:.1} expected), and to know one pixel to 1 % takes {} \
+         photons forwards ({} if all are aimed at the hole) but {:.0} rays backwards: they start where we \
+         look, and every one counts.",
         spaces::grouped(PHOTONS),
         counted[1],
         passing[1],

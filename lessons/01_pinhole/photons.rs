@@ -17,7 +17,7 @@ pub fn meets(origin: DVec3, direction: DVec3, center: DVec3, radius: f64) -> Opt
 
 /// B, figures 3.4 and 5.1: a ray hits or misses.
 pub fn hit_or_miss() -> Figure {
-    let (center, radius, plane, rows) = (dvec3(5.0, 0.25, 0.0), 1.15, 1.5, 7);
+    let (center, radius, plane, rows) = (dvec3(5.0, 0.05, 0.0), 1.15, 1.5, 7);
     let mut hits = 0;
     let mut d =
         Diagram::new(dvec2(-0.9, -2.05), dvec2(7.2, 2.15)).circle(center.truncate(), radius).word("ball");
@@ -131,7 +131,7 @@ fn exit(p: DVec2, way: DVec2, min: DVec2, max: DVec2) -> f64 {
 
 const ROOM: [DVec2; 2] = [DVec2::new(0.0, 0.0), DVec2::new(8.0, 5.0)];
 const BALL: (DVec2, f64) = (DVec2::new(4.6, 1.6), 0.45);
-const EYE: (DVec2, f64) = (DVec2::new(0.9, 0.6), 0.08);
+const EYE: (DVec2, f64) = (DVec2::new(0.9, 0.6), 0.12);
 
 /// A photon's path through the room: the right wall is a mirror, the ball shines like one, the rest absorbs.
 /// Its signature names what it met: `b` ball, `m` mirror, `f` floor, `c` ceiling, `w` wall, `e` eye.
@@ -195,8 +195,13 @@ pub fn ways_of_photons(photons: u32) -> Figure {
         .polygon(&[min, dvec2(max.x, min.y), max, dvec2(min.x, max.y)])
         .circle(BALL.0, BALL.1)
         .word("ball");
-    for ((name, _, light), paths) in kinds.iter().zip(&ways) {
-        let Some(path) = paths.get(paths.len() / 2) else { continue };
+    for ((name, met, light), paths) in kinds.iter().zip(&ways) {
+        // Of those that find the eye, B comes in at the top of it, C and D at the bottom.
+        let end = |path: &Vec<DVec2>| path.last().map_or(0.0, |p| if *name == "B" { p.y } else { -p.y });
+        let ending = paths.iter().max_by(|a, b| end(a).total_cmp(&end(b)));
+        let Some(path) = (if met.ends_with('e') { ending } else { paths.get(paths.len() / 2) }) else {
+            continue;
+        };
         for (i, leg) in path.windows(2).enumerate() {
             d = d.ray(*light, leg[0], leg[1]);
             // The second leg tells the ways apart.

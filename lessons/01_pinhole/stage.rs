@@ -1,5 +1,5 @@
-//! The scene of lesson 01: a paper theatre, flat shapes that shine by themselves, one behind the other, so that
-//! no ray needs more than a division. And the dotted sky, to see what wide angles do.
+//! The scene of lesson 01: a paper theatre, flat shapes that shine by themselves, one behind the other, so
+//! that no ray needs more than a division. And the dotted sky, to see what wide angles do.
 
 use super::DEPTH;
 use glam::{DVec2, DVec3, dvec2, dvec3};
@@ -101,7 +101,8 @@ pub fn dotted_sky(direction: DVec3) -> Rgb {
     let d = direction.normalize();
     let step = 15f64.to_radians();
     let latitude = (d.y.asin() / step).round() * step;
-    let apart = step / latitude.cos().max(0.1); // dots of a circle of latitude stand as far apart as elsewhere
+    // Dots of a circle of latitude stand as far apart as elsewhere.
+    let apart = step / latitude.cos().max(0.1);
     let longitude = (d.x.atan2(-d.z) / apart).round() * apart;
     let (sin, cos) = latitude.sin_cos();
     let center = dvec3(cos * longitude.sin(), sin, -cos * longitude.cos());

@@ -38,7 +38,7 @@ pub fn hole_solid_angle(radius: f64, distance: f64) -> f64 {
     if tan2 == f64::INFINITY { TAU } else { TAU * (tan2 / (1.0 + tan2 + (1.0 + tan2).sqrt())) }
 }
 
-/// Share of the light which leaves a matt disc that arrives at another on the same axis, facing it at `distance`.
+/// Share of a matt disc's light that arrives at another disc on the same axis, facing it at `distance`.
 ///
 /// ```text
 /// F = 2 b² / (S + √((S − 2ab)(S + 2ab))),   S = a² + b² + h²,   a = from, b = to, h = distance
@@ -47,8 +47,8 @@ pub fn hole_solid_angle(radius: f64, distance: f64) -> f64 {
 /// The irradiance of a film disc by a hole that shows nothing but radiance `L` is `π L F(film → hole)`.
 ///
 /// - Domain: `from > 0`, `to ≥ 0`, `distance > 0`. From a point (`from → 0`) `b²/(b² + h²)` arrive.
-/// - Accuracy: relative error ≤ `num::gamma(24)`: `S − 2ab = (a − b)² + h²`, where the one subtraction acts on inputs.
-///   Lengths are taken relative to the largest, so that no square overflows.
+/// - Accuracy: relative error ≤ `num::gamma(24)`: in `S − 2ab = (a − b)² + h²` the one subtraction acts on
+///   inputs. Lengths are taken relative to the largest, so that no square overflows.
 /// - NaN in, NaN out.
 /// - Source: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-41.
 pub fn coaxial_discs_share(from: f64, to: f64, distance: f64) -> f64 {
@@ -107,7 +107,7 @@ pub fn sharpest_hole(depth: f64, distance: f64, wavelength: f64) -> f64 {
 /// Pixels of equal area see the less, the farther from the axis.
 ///
 /// - Domain: all numbers; 1 on the axis, 0 at infinity.
-/// - Source: the area of a plane element, seen at `θ`: `cos θ / r²` with `r = 1/cos θ`. [A §6.3.3.3] prints `cos θ`.
+/// - Source: a plane element seen at `θ`: `cos θ / r²` with `r = 1/cos θ`. [A §6.3.3.3] prints `cos θ`.
 pub fn solid_angle_density(screen: DVec2) -> f64 {
     let r2 = 1.0 + screen.length_squared();
     1.0 / (r2 * r2.sqrt())
