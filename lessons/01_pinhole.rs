@@ -78,7 +78,10 @@ fn main() -> Result {
     let differing = apart.filter(|d| *d > measure::rounding(100, 1.0)).count();
     lesson.claim("the film's picture is the window's, turned by 180°, in every pixel", differing == 0);
     let slopes = methods.iter().map(|(_, series)| measure::log_slope(series, REPETITIONS));
-    lesson.claim("four times the rays halve the error of all four", slopes.into_iter().all(|s| s.agrees_with(-0.5)));
+    lesson.claim(
+        "four times the rays halve the error of all four",
+        slopes.into_iter().all(|s| s.agrees_with(-0.5)),
+    );
     let rays = |k: usize| charts::rays_to(&methods[k].1, 0.01);
     lesson.answer(&format!(
         "through a hole every film point sees one direction only, so the picture stands upside down; of {PHOTONS} photons \

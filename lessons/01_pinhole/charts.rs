@@ -1,6 +1,8 @@
 //! Pictures and charts of lesson 01, and the list of its diagrams.
 
-use super::{DEPTH, DISTANCE, HOLES, PHOTONS, PICTURE, REPETITIONS, film_half, obscura, shadow_blur, spaces, stage};
+use super::{
+    DEPTH, DISTANCE, HOLES, PHOTONS, PICTURE, REPETITIONS, film_half, obscura, shadow_blur, spaces, stage,
+};
 use glam::{DVec2, DVec3, dvec2};
 use lightbench::film::Image;
 use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels};
@@ -44,7 +46,8 @@ pub fn pictures(lesson: &Lesson, film: &Image, window: &Image) -> Result {
         )
         .picture(stage::pixels(film, 1.0), "on the film, behind the hole")
         .picture(stage::pixels(window, 1.0), "in the window, before it");
-    let caption = "After C, figure 2, rendered: the camera obscura inverts the picture; the window model does not.";
+    let caption =
+        "After C, figure 2, rendered: the camera obscura inverts the picture; the window model does not.";
     lesson.save("inverts", Figure::from(panels).caption(caption))?;
 
     let spp = lesson.pick([4, 32, 256, 1024]);
@@ -56,7 +59,11 @@ pub fn pictures(lesson: &Lesson, film: &Image, window: &Image) -> Result {
     for hole in [0.001, 0.002, 0.004, 0.008] {
         let image = through_hole(hole, lesson.seed(), spp);
         let exposure = (hole / 0.004f64).powi(2);
-        let label = format!("{} mm: light × {exposure}, blur {:.2} mm", hole * 1e3, 1e3 * shadow_blur(hole, DEPTH, FAR));
+        let label = format!(
+            "{} mm: light × {exposure}, blur {:.2} mm",
+            hole * 1e3,
+            1e3 * shadow_blur(hole, DEPTH, FAR)
+        );
         panels = panels.picture(stage::pixels(&image, 1.25 * exposure), &label);
     }
     let caption = "What A says of ill. 50: the hole's size sets how bright the film gets, and how sharp. Corners are darker by cos⁴θ.";
@@ -88,7 +95,10 @@ pub fn holes(lesson: &Lesson, counted: &[u64], passing: &[f64]) -> Result {
     let exact: Vec<(f64, f64)> = HOLES.iter().zip(passing).map(|(h, n)| (h * 1e3, *n)).collect();
     let axis = || Axis::log("diameter of the hole, mm");
     let chart = Chart::new(axis(), Axis::log(&format!("photons of {PHOTONS} that pass")))
-        .title(&format!("Light grows with the hole's area: {} of a million photons pass 2 cm, {} pass 20 cm", counted[1], counted[4]))
+        .title(&format!(
+            "Light grows with the hole's area: {} of a million photons pass 2 cm, {} pass 20 cm",
+            counted[1], counted[4]
+        ))
         .subtitle(&format!("a bare bulb on the axis, {DISTANCE} m away; seed {}", lesson.seed()))
         .function("solid angle", &exact)
         .dots("counted", &found)
@@ -98,8 +108,9 @@ pub fn holes(lesson: &Lesson, counted: &[u64], passing: &[f64]) -> Result {
     let sharpest = sharpest_hole(DEPTH, FAR, GREEN);
     let at: Vec<f64> = (0..=60).map(|k| 0.05e-3 * 100f64.powf(f64::from(k) / 60.0)).collect();
     let curve = |f: &dyn Fn(f64) -> f64| at.iter().map(|h| (h * 1e3, 1e3 * f(*h))).collect::<Vec<_>>();
-    let traced: Vec<(f64, f64)> =
-        [0.0625e-3, 0.125e-3, 0.25e-3, 0.5e-3, 1e-3, 2e-3, 4e-3].map(|h| (h * 1e3, 1e3 * traced_blur(h, lesson.seed()))).to_vec();
+    let traced: Vec<(f64, f64)> = [0.0625e-3, 0.125e-3, 0.25e-3, 0.5e-3, 1e-3, 2e-3, 4e-3]
+        .map(|h| (h * 1e3, 1e3 * traced_blur(h, lesson.seed())))
+        .to_vec();
     let chart = Chart::new(axis(), Axis::log("diameter of a point's spot on the film, mm"))
         .title(&format!(
             "A smaller hole is sharper only down to {:.2} mm: then light bends",
@@ -130,10 +141,17 @@ fn traced_blur(hole: f64, seed: u64) -> f64 {
 /// Forward against backward: the headline.
 pub fn contest(lesson: &Lesson, methods: &[(Method, Series)]) -> Result {
     let rays: Vec<f64> = methods.iter().map(|(_, s)| rays_to(s, 0.01)).collect();
-    let title = format!("One pixel to 1 %: {:.0e} photons forwards, {} rays backwards", rays[0], rays[3].ceil());
-    let subtitle = format!("irradiance of 2 cm of film through a hole of 2 cm, against the closed form; {REPETITIONS} runs a point, seed {}", lesson.seed());
-    let mut time = Chart::speed_accuracy("relative error of the irradiance").title(&title).subtitle(&subtitle);
-    let mut work = Chart::work_accuracy("photons or rays traced", "relative error of the irradiance").title(&title).subtitle(&subtitle);
+    let title =
+        format!("One pixel to 1 %: {:.0e} photons forwards, {} rays backwards", rays[0], rays[3].ceil());
+    let subtitle = format!(
+        "irradiance of 2 cm of film through a hole of 2 cm, against the closed form; {REPETITIONS} runs a point, seed {}",
+        lesson.seed()
+    );
+    let mut time =
+        Chart::speed_accuracy("relative error of the irradiance").title(&title).subtitle(&subtitle);
+    let mut work = Chart::work_accuracy("photons or rays traced", "relative error of the irradiance")
+        .title(&title)
+        .subtitle(&subtitle);
     for (method, series) in methods {
         time = time.line(method.clone(), series);
         work = work.line(method.clone(), series);
@@ -160,8 +178,13 @@ pub fn wide_angles(lesson: &Lesson) -> Result {
     let edge = 2.0 * 0.1f64.cbrt().acos().to_degrees();
     let share = map.failing_share();
     let map = map
-        .title(&format!("Flat film fails towards 180°: beyond {edge:.0}° the corner's pixels see less than a tenth"))
-        .subtitle(&format!("solid angle of a pixel: cos³θ of the centre's; {:.0} % of the map fail", share * 100.0));
+        .title(&format!(
+            "Flat film fails towards 180°: beyond {edge:.0}° the corner's pixels see less than a tenth"
+        ))
+        .subtitle(&format!(
+            "solid angle of a pixel: cos³θ of the centre's; {:.0} % of the map fail",
+            share * 100.0
+        ));
     lesson.save("wide_map", map)?;
 
     let (width, height) = (280, 200);
@@ -172,13 +195,29 @@ pub fn wide_angles(lesson: &Lesson) -> Result {
         .alt("Four views of a sky with equal round dots, at 60, 90, 120 and 150 degrees. The dots stay round in the middle; towards the edge they \
               are drawn out, at 150 degrees into long streaks.");
     for angle in [60.0f64, 90.0, 120.0, 150.0] {
-        let camera = Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, FieldOfView::Horizontal(angle.to_radians())).expect("an angle below 180°");
+        let camera =
+            Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, FieldOfView::Horizontal(angle.to_radians()))
+                .expect("an angle below 180°");
         let image = Image::from_fn(width, height, |i, j| {
-            let of = |k: u32| stage::dotted_sky(camera.ray(dvec2(i as f64, j as f64) + dvec2(f64::from(k % 3) + 0.5, f64::from(k / 3) + 0.5) / 3.0, width, height).direction);
+            let of = |k: u32| {
+                stage::dotted_sky(
+                    camera
+                        .ray(
+                            dvec2(i as f64, j as f64)
+                                + dvec2(f64::from(k % 3) + 0.5, f64::from(k / 3) + 0.5) / 3.0,
+                            width,
+                            height,
+                        )
+                        .direction,
+                )
+            };
             (0..9).map(of).sum::<DVec3>() / 9.0
         });
         let density = solid_angle_density(dvec2(1.0, 0.0) * (0.5 * angle.to_radians()).tan());
-        panels = panels.picture(stage::pixels(&image, 1.0), &format!("{angle}°: an edge pixel sees {:.1} % of the middle's", 100.0 * density));
+        panels = panels.picture(
+            stage::pixels(&image, 1.0),
+            &format!("{angle}°: an edge pixel sees {:.1} % of the middle's", 100.0 * density),
+        );
     }
     let caption = "The picture is right if seen from the pinhole's place; from farther away it looks stretched. At 180° the film would have no end.";
     lesson.save("wide", Figure::from(panels).caption(caption))

@@ -26,7 +26,8 @@ pub fn the_box() -> Figure {
         .alt("A closed box seen from outside. Light from a letter F in front of it passes a small hole in the middle of the front \
               face and draws a smaller letter, upside down and mirrored, on the film at the back.")
         .solid_box(&space, min, max);
-    let back = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| dvec3(0.68 * x, 0.63 * y, depth));
+    let back =
+        [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| dvec3(0.68 * x, 0.63 * y, depth));
     d = d.region(Light::Reflected, &back.map(|p| space.at(p)));
     for [a, b] in letter {
         d = d.path(Light::Incident, &[space.at(a), space.at(b)]);
@@ -37,7 +38,10 @@ pub fn the_box() -> Figure {
     }
     d = d.point(space.at(DVec3::ZERO)).word("hole").note(space.at(dvec3(-0.2, -1.1, -2.7)), "object");
     d = d.note(space.at(dvec3(0.0, 1.0, depth)), "film").note(space.at(dvec3(0.8, -1.0, 0.9)), "closed box");
-    told(d, "After A, illustration 49, B, figure 3.1, and C, figure 1: the pinhole camera, or camera obscura.")
+    told(
+        d,
+        "After A, illustration 49, B, figure 3.1, and C, figure 1: the pinhole camera, or camera obscura.",
+    )
 }
 
 /// A, illustration 50: what the hole keeps out.
@@ -66,14 +70,20 @@ pub fn what_the_hole_keeps() -> Figure {
             d = d.curve(&[at(wall, hole), at(wall, 1.7)]).curve(&[at(wall, -1.7), at(wall, -hole)]);
             d = d.note(at(wall, -1.95), "hole");
         }
-        d = d.curve(&[at(film, -1.1), at(film, 1.1)]).note(at(film, -1.4), "film").note(at(0.0, -1.8), "scene");
+        d = d
+            .curve(&[at(film, -1.1), at(film, 1.1)])
+            .note(at(film, -1.4), "film")
+            .note(at(0.0, -1.8), "scene");
         d = d.note(at(2.2, 1.95), if has_wall { "the hole chooses" } else { "bare film: white everywhere" });
     }
     let d = d.title(&format!("Of 25 lines of light the hole lets {passed} through: one to each point of the film"))
         .subtitle("5 points of the scene, 5 of the film; what ends at the wall is dashed")
         .alt("Left: every point of the scene sends light to every point of a bare film. Right: a wall with a small hole lets only one \
               line pass to each film point, so that the scene's points lie in reversed order on the film.");
-    told(d, "After A, illustration 50. A bare film turns white at once; a wider hole lets more lines through, brighter and less sharp.")
+    told(
+        d,
+        "After A, illustration 50. A bare film turns white at once; a wider hole lets more lines through, brighter and less sharp.",
+    )
 }
 
 /// C, figure 2: why the picture is upside down.
@@ -90,10 +100,26 @@ pub fn inverts() -> Figure {
     for y in [0.0, 0.5, 1.0, 1.5] {
         d = d.ray(Light::Incident, dvec2(-distance, y), dvec2(depth, image(y)));
     }
-    d = d.ray(Light::Transmitted, left, left + DVec2::Y * height).ray(Light::Reflected, right, right + DVec2::Y * image(height));
-    d = d.point(left).name("B").point(left + DVec2::Y * height).name("A").point(right).name("B′").point(right + DVec2::Y * image(height)).name("A′");
+    d = d.ray(Light::Transmitted, left, left + DVec2::Y * height).ray(
+        Light::Reflected,
+        right,
+        right + DVec2::Y * image(height),
+    );
+    d = d
+        .point(left)
+        .name("B")
+        .point(left + DVec2::Y * height)
+        .name("A")
+        .point(right)
+        .name("B′")
+        .point(right + DVec2::Y * image(height))
+        .name("A′");
     d = d.spot(Light::Other, DVec2::ZERO).word("hole");
-    d = d.dimension(left, DVec2::ZERO, -150.0).word("distance 3 m").dimension(dvec2(0.0, -1.1), dvec2(depth, -1.1), -36.0).word("depth 1.5 m");
+    d = d
+        .dimension(left, DVec2::ZERO, -150.0)
+        .word("distance 3 m")
+        .dimension(dvec2(0.0, -1.1), dvec2(depth, -1.1), -36.0)
+        .word("depth 1.5 m");
     told(d, "After C, figure 2, the diagram; the picture itself is the next figure.")
 }
 
@@ -111,7 +137,11 @@ pub fn window() -> Figure {
         .alt("An eye on the left looks through an upright window ruled into pixels at a letter F on the right. Four edges of a pyramid lead from \
               the eye through the window's corners. Lines from the letter to the eye draw an upright, smaller F on the window.");
     let place = corners.map(|(x, y)| corner(x, y, near));
-    d = d.pixel_grid(&space, place[3], place[2] - place[3], place[0] - place[3], 8, 6).pyramid(&space, DVec3::ZERO, &base);
+    d = d.pixel_grid(&space, place[3], place[2] - place[3], place[0] - place[3], 8, 6).pyramid(
+        &space,
+        DVec3::ZERO,
+        &base,
+    );
     d = d.hidden(&[base[0], base[1], base[2], base[3], base[0]].map(|p| space.at(p)));
     for [a, b] in letter {
         let seen = |p: DVec3| space.at(p * (near / -p.z));
@@ -121,8 +151,13 @@ pub fn window() -> Figure {
         d = d.ray(Light::Reflected, space.at(p), space.at(p * 0.03));
     }
     d = d.eye(space.at(DVec3::ZERO), DVec2::X).word("eye");
-    d = d.note(space.at(dvec3(0.0, -0.95, -near)), "window").note(space.at(dvec3(0.0, -2.05, -far)), "pyramid of view");
-    told(d, "After A, illustration 51, B, figure 3.2, and C, figure 3, the window model: the same lines as in the box, the same picture turned by 180°.")
+    d = d
+        .note(space.at(dvec3(0.0, -0.95, -near)), "window")
+        .note(space.at(dvec3(0.0, -2.05, -far)), "pyramid of view");
+    told(
+        d,
+        "After A, illustration 51, B, figure 3.2, and C, figure 3, the window model: the same lines as in the box, the same picture turned by 180°.",
+    )
 }
 
 /// Where a line first meets a ball, in lengths of its direction; lesson 02 does it with care.
@@ -156,7 +191,12 @@ pub fn through_the_centres() -> Figure {
         rays.push((p, hit));
         if hit.is_some() {
             hits += 1;
-            tints.push([on_plane(x, y), on_plane(x + 1.0, y), on_plane(x + 1.0, y + 1.0), on_plane(x, y + 1.0)]);
+            tints.push([
+                on_plane(x, y),
+                on_plane(x + 1.0, y),
+                on_plane(x + 1.0, y + 1.0),
+                on_plane(x, y + 1.0),
+            ]);
         }
     }
     for tint in tints {
@@ -164,7 +204,9 @@ pub fn through_the_centres() -> Figure {
     }
     for (p, hit) in rays {
         d = match hit {
-            Some(t) => d.path(Light::Incident, &[space.at(DVec3::ZERO), space.at(p * t)]).spot(Light::Incident, space.at(p * t)),
+            Some(t) => d
+                .path(Light::Incident, &[space.at(DVec3::ZERO), space.at(p * t)])
+                .spot(Light::Incident, space.at(p * t)),
             None => d.spot(Light::Shadow, space.at(p)),
         };
     }
@@ -173,7 +215,10 @@ pub fn through_the_centres() -> Figure {
         .subtitle(&format!("{columns} × {rows} pixels; a pixel takes the colour of what its ray meets first"))
         .alt("An eye sends a ray through the centre of every pixel of a grid. Those that meet a ball are drawn up to the ball, and their pixels \
               are tinted; the others are grey dots.");
-    told(d, "After C, figure 4, and E, slide 65. Pixels are dealt with one after the other; each makes its primary ray.")
+    told(
+        d,
+        "After C, figure 4, and E, slide 65. Pixels are dealt with one after the other; each makes its primary ray.",
+    )
 }
 
 /// A, illustration 52: a pixel, its part of the film, its rays.
@@ -181,14 +226,25 @@ pub fn one_pixel(seed: u64) -> Figure {
     let space = Space::axonometric(60.0, 18.0);
     let at = |x: f64, y: f64, z: f64| dvec3((x - 3.0) * 0.26, (2.0 - y) * 0.26, -1.0) * z;
     let (near, far, pixel) = (1.6, 4.2, dvec2(3.0, 1.0));
-    let square = |z: f64| [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| at(pixel.x + x, pixel.y + y, z));
+    let square = |z: f64| {
+        [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| at(pixel.x + x, pixel.y + y, z))
+    };
     let mut d = Diagram::fitted()
         .title("A pixel is a piece of film, and owns all the rays through it: its colour is their mean")
         .subtitle(&format!("6 × 4 pixels; 8 of the rays of the pixel in column 3, row 1, at random, seed {seed}"))
         .alt("A film of 6 by 4 pixels before an eye. One pixel is tinted; a bundle of eight rays from the eye through random points of it \
               spreads to a larger tinted patch of the scene.");
-    d = d.pixel_grid(&space, at(0.0, 0.0, near), at(6.0, 0.0, near) - at(0.0, 0.0, near), at(0.0, 4.0, near) - at(0.0, 0.0, near), 6, 4);
-    d = d.region(Light::Reflected, &square(near).map(|p| space.at(p))).region(Light::Reflected, &square(far).map(|p| space.at(p)));
+    d = d.pixel_grid(
+        &space,
+        at(0.0, 0.0, near),
+        at(6.0, 0.0, near) - at(0.0, 0.0, near),
+        at(0.0, 4.0, near) - at(0.0, 0.0, near),
+        6,
+        4,
+    );
+    d = d
+        .region(Light::Reflected, &square(near).map(|p| space.at(p)))
+        .region(Light::Reflected, &square(far).map(|p| space.at(p)));
     d = d.pyramid(&space, DVec3::ZERO, &square(far));
     for i in 0..8u32 {
         // A jittered 4 × 2 grid: spread like the real thing, and legible.
@@ -197,7 +253,9 @@ pub fn one_pixel(seed: u64) -> Figure {
         d = d.ray(Light::Incident, space.at(DVec3::ZERO), space.at(at(p.x, p.y, far)));
     }
     d = d.eye(space.at(DVec3::ZERO), DVec2::X).word("eye");
-    d = d.note(space.at(at(1.0, 5.4, near)), "film of 6 × 4 pixels").note(space.at(at(3.5, 3.0, far)), "what the pixel sees");
+    d = d
+        .note(space.at(at(1.0, 5.4, near)), "film of 6 × 4 pixels")
+        .note(space.at(at(3.5, 3.0, far)), "what the pixel sees");
     told(d, "After A, illustration 52: pixel, region of film, rays of light.")
 }
 
@@ -205,11 +263,14 @@ pub fn one_pixel(seed: u64) -> Figure {
 pub fn hit_or_miss() -> Figure {
     let (center, radius, plane, rows) = (dvec3(5.0, 0.35, 0.0), 0.95, 1.5, 7);
     let mut hits = 0;
-    let mut d = Diagram::new(dvec2(-0.9, -2.05), dvec2(7.2, 2.15)).circle(center.truncate(), radius).word("ball");
+    let mut d =
+        Diagram::new(dvec2(-0.9, -2.05), dvec2(7.2, 2.15)).circle(center.truncate(), radius).word("ball");
     for j in 0..rows {
         let (low, high) = (0.3 * f64::from(j) - 1.05, 0.3 * f64::from(j) - 0.75);
         let direction = dvec3(plane, 0.5 * (low + high), 0.0);
-        d = d.thin(&[dvec2(plane - 0.06, low), dvec2(plane + 0.06, low)]).thin(&[dvec2(plane - 0.06, high), dvec2(plane + 0.06, high)]);
+        d = d
+            .thin(&[dvec2(plane - 0.06, low), dvec2(plane + 0.06, low)])
+            .thin(&[dvec2(plane - 0.06, high), dvec2(plane + 0.06, high)]);
         match meets(DVec3::ZERO, direction, center, radius) {
             Some(t) => {
                 hits += 1;
@@ -217,15 +278,28 @@ pub fn hit_or_miss() -> Figure {
                 d = d.path(Light::Reflected, &[dvec2(plane, low + 0.03), dvec2(plane, high - 0.03)]);
                 d = d.ray(Light::Incident, DVec2::ZERO, p).spot(Light::Reflected, p);
             }
-            None => d = d.ray(Light::Shadow, DVec2::ZERO, direction.truncate() * (6.6 / plane).min(2.0 / direction.y.abs())),
+            None => {
+                d = d.ray(
+                    Light::Shadow,
+                    DVec2::ZERO,
+                    direction.truncate() * (6.6 / plane).min(2.0 / direction.y.abs()),
+                )
+            }
         }
     }
-    d = d.curve(&[dvec2(plane, -1.05), dvec2(plane, 1.05)]).note(dvec2(plane, -1.35), "image plane").eye(DVec2::ZERO, DVec2::X).word("eye");
+    d = d
+        .curve(&[dvec2(plane, -1.05), dvec2(plane, 1.05)])
+        .note(dvec2(plane, -1.35), "image plane")
+        .eye(DVec2::ZERO, DVec2::X)
+        .word("eye");
     let d = d.title(&format!("Backwards every ray tells its pixel something: {hits} of {rows} hit, {} miss", rows - hits))
         .subtitle("side view; one ray from the eye through each pixel's centre; a miss is an answer too: background")
         .alt("Side view: an eye sends seven rays through the pixels of an image plane. Some hit a ball, where they end in a dot, and their pixels \
               are marked in its colour; the others, dashed, pass by.");
-    told(d, "After B, figures 3.4 and 5.1: primary rays hit or miss; a pixel takes the colour of the point that its ray meets.")
+    told(
+        d,
+        "After B, figures 3.4 and 5.1: primary rays hit or miss; a pixel takes the colour of the point that its ray meets.",
+    )
 }
 
 /// B, figure 3.3: photons scattered by a ball, and the first that finds the eye.
@@ -258,12 +332,23 @@ pub fn forward(seed: u64) -> Figure {
         .subtitle(&format!("plane scene, pupil 0.1 wide at 3.2 from the ball; the first 28 photons are drawn dashed; seed {seed}"))
         .alt("A lamp throws photons at a ball, which scatters them in all directions, drawn as dashed grey arrows. One photon, drawn in colour, leaves the ball \
               towards the eye on the right.");
-    told(d, "After B, figure 3.3, from traced photons, all of them aimed at the ball already: many leave it, one arrives.")
+    told(
+        d,
+        "After B, figure 3.3, from traced photons, all of them aimed at the ball already: many leave it, one arrives.",
+    )
 }
 
 /// How far from inside a box its edge is.
 fn exit(p: DVec2, way: DVec2, min: DVec2, max: DVec2) -> f64 {
-    let to = |p: f64, w: f64, a: f64, b: f64| if w > 0.0 { (b - p) / w } else if w < 0.0 { (a - p) / w } else { f64::INFINITY };
+    let to = |p: f64, w: f64, a: f64, b: f64| {
+        if w > 0.0 {
+            (b - p) / w
+        } else if w < 0.0 {
+            (a - p) / w
+        } else {
+            f64::INFINITY
+        }
+    };
     to(p.x, way.x, min.x, max.x).min(to(p.y, way.y, min.y, max.y)).max(0.0)
 }
 
@@ -277,7 +362,8 @@ fn follow(start: DVec2, angle: f64) -> (String, Vec<DVec2>) {
     let (mut p, mut way) = (start, DVec2::from_angle(angle));
     let (mut met, mut path) = (String::new(), vec![start]);
     for _ in 0..4 {
-        let ball = meets(p.extend(0.0), way.extend(0.0), BALL.0.extend(0.0), BALL.1).filter(|t| *t > 1.0e-9 * BALL.1);
+        let ball = meets(p.extend(0.0), way.extend(0.0), BALL.0.extend(0.0), BALL.1)
+            .filter(|t| *t > 1.0e-9 * BALL.1);
         let wall = exit(p, way, ROOM[0], ROOM[1]);
         let t = ball.map_or(wall, |t| t.min(wall));
         let ahead = (EYE.0 - p).dot(way);
@@ -288,7 +374,15 @@ fn follow(start: DVec2, angle: f64) -> (String, Vec<DVec2>) {
         p += way * t;
         path.push(p);
         let n = if ball.is_some_and(|b| b <= wall) { (p - BALL.0) / BALL.1 } else { DVec2::NEG_X };
-        let sign = if n != DVec2::NEG_X { 'b' } else if p.x > ROOM[1].x - 1.0e-9 { 'm' } else if p.y < 1.0e-9 { 'f' } else { 'w' };
+        let sign = if n != DVec2::NEG_X {
+            'b'
+        } else if p.x > ROOM[1].x - 1.0e-9 {
+            'm'
+        } else if p.y < 1.0e-9 {
+            'f'
+        } else {
+            'w'
+        };
         met.push(sign);
         if sign == 'f' || sign == 'w' {
             break;
@@ -301,7 +395,13 @@ fn follow(start: DVec2, angle: f64) -> (String, Vec<DVec2>) {
 /// A, illustration 53: the complicated ways of photons.
 pub fn ways_of_photons(photons: u32) -> Figure {
     let lamp = dvec2(3.4, 4.1);
-    let kinds = [("A", "w", Light::Shadow), ("B", "mbe", Light::Incident), ("C", "bme", Light::Reflected), ("D", "be", Light::Transmitted), ("E", "bf", Light::Other)];
+    let kinds = [
+        ("A", "w", Light::Shadow),
+        ("B", "mbe", Light::Incident),
+        ("C", "bme", Light::Reflected),
+        ("D", "be", Light::Transmitted),
+        ("E", "bf", Light::Other),
+    ];
     let mut ways: Vec<Vec<Vec<DVec2>>> = vec![Vec::new(); kinds.len()];
     let mut arrived = 0;
     for i in 0..photons {
@@ -313,7 +413,9 @@ pub fn ways_of_photons(photons: u32) -> Figure {
     }
     let [min, max] = ROOM;
     let mut d = Diagram::new(dvec2(-0.25, -0.35), dvec2(8.95, 4.75))
-        .polygon(&[min, dvec2(max.x, min.y), max, dvec2(min.x, max.y)]).circle(BALL.0, BALL.1).word("ball");
+        .polygon(&[min, dvec2(max.x, min.y), max, dvec2(min.x, max.y)])
+        .circle(BALL.0, BALL.1)
+        .word("ball");
     for ((name, _, light), paths) in kinds.iter().zip(&ways) {
         let Some(path) = paths.get(paths.len() / 2) else { continue };
         for leg in path.windows(2) {
@@ -321,9 +423,13 @@ pub fn ways_of_photons(photons: u32) -> Figure {
         }
         // The name stands at the middle of the leg that tells it from the others.
         let leg = if path.len() > 2 && *name != "D" { 1 } else { path.len() - 2 };
-        d = d.path(*light, &[path[leg].lerp(path[leg + 1], 0.45), path[leg].lerp(path[leg + 1], 0.55)]).name(name);
+        d = d
+            .path(*light, &[path[leg].lerp(path[leg + 1], 0.45), path[leg].lerp(path[leg + 1], 0.55)])
+            .name(name);
     }
-    d = d.path(Light::Incident, &[dvec2(max.x, 0.02), dvec2(max.x, max.y - 0.02)]).note(dvec2(8.47, 2.3), "mirror");
+    d = d
+        .path(Light::Incident, &[dvec2(max.x, 0.02), dvec2(max.x, max.y - 0.02)])
+        .note(dvec2(8.47, 2.3), "mirror");
     d = d.lamp(lamp).word("lamp").eye(EYE.0, DVec2::X).word("eye");
     d = d.curve(&[EYE.0 + dvec2(0.6, -0.45), EYE.0 + dvec2(0.6, 0.45)]).word("image plane");
     let share = f64::from(arrived as u32) / f64::from(photons) * 100.0;
@@ -333,4 +439,3 @@ pub fn ways_of_photons(photons: u32) -> Figure {
               ball to the eye, C by ball and mirror, D by the ball alone. E is thrown by the ball to the floor.");
     told(d, "After A, illustration 53, each way picked from the traced photons of its kind.")
 }
-

@@ -61,8 +61,11 @@ pub fn raster_ndc_screen() -> Figure {
     let middle = dvec2(8.8 + 1.5, 1.5);
     d = d.ray(Light::Normal, middle, middle + dvec2(1.85, 0.0)).name_end("x");
     d = d.ray(Light::Normal, middle, middle + dvec2(0.0, 1.85)).name_end("y");
-    told(d, "After B, figure 5.3. Dividing by the picture's size gives NDC in [0,1]; 2x − 1 and 1 − 2y move \
-             the origin to the middle and turn y upwards.")
+    told(
+        d,
+        "After B, figure 5.3. Dividing by the picture's size gives NDC in [0,1]; 2x − 1 and 1 − 2y move \
+             the origin to the middle and turn y upwards.",
+    )
 }
 
 /// B, figure 5.4: 7 × 5 pixels, squashed into [−1,1]² and put right by the aspect.
@@ -79,7 +82,9 @@ pub fn aspect() -> Figure {
     d = grid(d, dvec2(-1.0, 1.0), dvec2(2.0, 2.0), size, pixel);
     d = grid(d, dvec2(1.6, 1.0), dvec2(2.8, 2.0), size, pixel);
     for (middle, half) in [(0.0, 1.0), (3.0, 1.4)] {
-        d = d.note(dvec2(middle - half, -1.12), &plain(-half)).note(dvec2(middle + half, -1.12), &plain(half));
+        d = d
+            .note(dvec2(middle - half, -1.12), &plain(-half))
+            .note(dvec2(middle + half, -1.12), &plain(half));
         d = d.note(dvec2(middle, -1.12), "x");
     }
     d = d.note(dvec2(-1.12, 1.0), "1").note(dvec2(-1.15, -1.0), "−1").note(dvec2(-1.12, 0.0), "y");
@@ -106,16 +111,32 @@ pub fn field_of_view() -> Figure {
         d = d.note(dvec2(1.28, height), &format!("{angle}°: {}", plain(height)));
     }
     d = d.curve(&[dvec2(1.0, -1.78), dvec2(1.0, 1.78)]).note(dvec2(1.3, -1.6), "image plane");
-    d = d.ray(Light::Incident, DVec2::ZERO, dvec2(1.0, 1.0)).ray(Light::Incident, DVec2::ZERO, dvec2(1.0, -1.0));
-    d = d.thin(&[DVec2::ZERO, dvec2(1.0, 0.0)]).ray(Light::Normal, dvec2(1.0, 0.0), dvec2(2.0, 0.0)).name_end("−z");
-    d = d.eye(DVec2::ZERO, DVec2::X).name("A").point(dvec2(1.0, 0.0)).name("B").point(dvec2(1.0, 1.0)).name("C");
+    d = d.ray(Light::Incident, DVec2::ZERO, dvec2(1.0, 1.0)).ray(
+        Light::Incident,
+        DVec2::ZERO,
+        dvec2(1.0, -1.0),
+    );
+    d = d
+        .thin(&[DVec2::ZERO, dvec2(1.0, 0.0)])
+        .ray(Light::Normal, dvec2(1.0, 0.0), dvec2(2.0, 0.0))
+        .name_end("−z");
+    d = d
+        .eye(DVec2::ZERO, DVec2::X)
+        .name("A")
+        .point(dvec2(1.0, 0.0))
+        .name("B")
+        .point(dvec2(1.0, 1.0))
+        .name("C");
     d = d.angle_at(DVec2::ZERO, DVec2::X, DVec2::ONE, 120.0).name("α/2");
     d = d.angle_at(DVec2::ZERO, dvec2(1.0, -1.0), DVec2::ONE, 64.0).name("α");
     d = d.right_angle(dvec2(1.0, 0.0), DVec2::NEG_X, DVec2::Y);
     d = d.dimension(dvec2(0.0, -1.0), dvec2(1.0, -1.0), -90.0).word("1");
     d = d.dimension(dvec2(1.0, 1.0), dvec2(1.0, 0.0), 60.0).word("tan 45° = 1");
-    told(d, "After B, figure 5.5. At 90° the image plane at distance 1 is 2 high; other angles scale every pixel's \
-             coordinates by the same tangent, which is what a zoom does.")
+    told(
+        d,
+        "After B, figure 5.5. At 90° the image plane at distance 1 is 2 high; other angles scale every pixel's \
+             coordinates by the same tangent, which is what a zoom does.",
+    )
 }
 
 /// The image plane of a camera as `columns × rows` pixels, ruled on paper.
@@ -191,15 +212,19 @@ pub fn camera_to_world() -> Figure {
         d = d.ray(Light::Incident, space.at(from), space.at(from + (p - from) * 1.9));
         d = d.point(space.at(from)).name(o).spot(Light::Reflected, space.at(p)).name(name);
     }
-    told(d, "After B, figure 5.6. In its place the camera's axes are the world's; moved, three unit vectors (right, up, \
-             forward) and the position O′ make the matrix.")
+    told(
+        d,
+        "After B, figure 5.6. In its place the camera's axes are the world's; moved, three unit vectors (right, up, \
+             forward) and the position O′ make the matrix.",
+    )
 }
 
 /// D, figure 14: the parameters of a camera in a scene file.
 pub fn parameters() -> Figure {
     let (pov, poi, fov) = (dvec3(0.0, 1.0, 1.0), DVec3::ZERO, 45.0f64);
     let space = Space::axonometric(62.0, 16.0);
-    let camera = Camera::new(pov, poi, DVec3::Y, FieldOfView::Vertical(fov.to_radians())).expect("D's default camera");
+    let camera =
+        Camera::new(pov, poi, DVec3::Y, FieldOfView::Vertical(fov.to_radians())).expect("D's default camera");
     let (f, reach) = (*camera.frame(), pov.distance(poi));
     let half = (0.5 * fov.to_radians()).tan() * 0.55;
     let (eye, at) = (space.at(pov), |s: f64| space.at(pov + f.forward * 0.55 + f.up * (s * half)));
@@ -214,6 +239,9 @@ pub fn parameters() -> Figure {
     d = d.angle_at(eye, at(-1.0) - eye, at(1.0) - eye, 130.0).word("FOV");
     d = d.thin(&[eye, at(-1.0)]).thin(&[eye, at(1.0)]);
     d = d.ray(Light::Normal, eye, space.at(pov + f.up * 0.4)).word("up");
-    told(d, "After D, figure 14. The angle spans the picture from its lower to its upper edge; up is the y axis as far as it \
-             is perpendicular to the view.")
+    told(
+        d,
+        "After D, figure 14. The angle spans the picture from its lower to its upper edge; up is the y axis as far as it \
+             is perpendicular to the view.",
+    )
 }
