@@ -41,6 +41,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &["integrator", "light", "scene_file", "shape::cuboid"],
         builds_on: &[(1, "a pixel becomes a ray"), (2, "a ray meets a sphere")],
     },
+    Entry {
+        number: 5,
+        name: "torus",
+        question: "Which quartic solver should a torus use?",
+        chapter: "Surfaces",
+        introduces: &["shape::torus", "shape::instance"],
+        builds_on: &[(2, "moving the origin saves the quadratic"), (3, "shadow rays start on surfaces")],
+    },
 ];
 
 impl Entry {
