@@ -208,6 +208,13 @@ impl Shape for Torus {
         Some(Crossing::new(t, 0))
     }
 
+    fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
+        match self.method {
+            TorusMethod::Adaptive => self.line(ray).is_some_and(|l| l.blocks(t_max)),
+            _ => self.nearest(ray, 0.0, t_max).is_some(),
+        }
+    }
+
     fn crossings(&self, ray: &Ray, out: &mut Vec<Crossing>) {
         let least = contestants::least_t(self.method);
         out.extend(self.meetings(ray).iter().filter(|m| m.t > least).map(|m| Crossing::new(m.t, 0)));

@@ -49,6 +49,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &["shape::plane", "shape::disc", "shape::polygon", "shape::triangle"],
         builds_on: &[(2, "a ray meets a sphere"), (3, "a light, a shadow and a first picture")],
     },
+    Entry {
+        number: 5,
+        name: "torus",
+        question: "Which quartic solver should a torus use?",
+        chapter: "Surfaces",
+        introduces: &["shape::torus", "shape::instance"],
+        builds_on: &[(2, "moving the origin saves the quadratic"), (3, "shadow rays start on surfaces")],
+    },
 ];
 
 impl Entry {
