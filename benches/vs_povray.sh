@@ -20,6 +20,8 @@ mkdir -p "$out"
 scenes='
 s1_area_100lights | scenes/d01_radiometric.scene | 512
 s1_point          | benches/povray/s1_point.scene | 2048
+s5_torus          | scenes/p_torus.scene | 2048
+s5_surfaces       | scenes/p_shapes.scene | 2048
 '
 
 median() { sort -g | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'; }

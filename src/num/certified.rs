@@ -304,12 +304,12 @@ impl<T: Scalar> Vector<T> {
         Vector([T::product(t, d.x), T::product(t, d.y), T::product(t, d.z)])
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn dot(self, o: Self) -> T {
         self.0[0] * o.0[0] + self.0[1] * o.0[1] + self.0[2] * o.0[2]
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn cross(self, o: Self) -> Self {
         let ([x, y, z], [a, b, c]) = (self.0, o.0);
         Vector([y * c - z * b, z * a - x * c, x * b - y * a])

@@ -18,6 +18,24 @@ pub enum FieldOfView {
     Horizontal(f64),
 }
 
+impl FieldOfView {
+    /// `tan(fov/2)`: half the image side at distance 1.
+    fn slope(self) -> f64 {
+        let (FieldOfView::Vertical(angle) | FieldOfView::Horizontal(angle)) = self;
+        (0.5 * angle).tan()
+    }
+
+    /// See [`screen_from_ndc`].
+    #[inline]
+    fn screen(self, ndc: DVec2, aspect: f64, slope: f64) -> DVec2 {
+        let centred = DVec2::new(2.0 * ndc.x - 1.0, 1.0 - 2.0 * ndc.y);
+        match self {
+            FieldOfView::Vertical(_) => centred * slope * DVec2::new(aspect, 1.0),
+            FieldOfView::Horizontal(_) => centred * slope * DVec2::new(1.0, 1.0 / aspect),
+        }
+    }
+}
+
 /// Why no camera stands there.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CameraError {
@@ -33,6 +51,8 @@ pub struct Camera {
     position: DVec3,
     frame: Frame,
     field_of_view: FieldOfView,
+    /// Its [`FieldOfView::slope`].
+    slope: f64,
 }
 
 impl Camera {
@@ -49,7 +69,8 @@ impl Camera {
         if !(angle > 0.0 && angle < std::f64::consts::PI) {
             return Err(CameraError::FieldOfView(angle.to_degrees()));
         }
-        Ok(Camera { position, frame: Frame::look_at(position, target, up)?, field_of_view })
+        let frame = Frame::look_at(position, target, up)?;
+        Ok(Camera { position, frame, field_of_view, slope: field_of_view.slope() })
     }
 
     pub fn position(&self) -> DVec3 {
@@ -69,7 +90,7 @@ impl Camera {
     pub fn ray(&self, raster: DVec2, width: usize, height: usize) -> Ray {
         let size = DVec2::new(width as f64, height as f64);
         let ndc = ndc_from_raster(raster, size);
-        let screen = screen_from_ndc(ndc, size.x / size.y, self.field_of_view);
+        let screen = self.field_of_view.screen(ndc, size.x / size.y, self.slope);
         let camera = camera_from_screen(screen);
         Ray::new(self.position, self.world_from_camera(camera).normalize())
     }
@@ -92,11 +113,7 @@ pub fn ndc_from_raster(raster: DVec2, size: DVec2) -> DVec2 {
 /// horizontal: x = (2 ndc.x − 1) · tan(fov/2),            y = (1 − 2 ndc.y) · tan(fov/2) / aspect
 /// ```
 pub fn screen_from_ndc(ndc: DVec2, aspect: f64, field_of_view: FieldOfView) -> DVec2 {
-    let centred = DVec2::new(2.0 * ndc.x - 1.0, 1.0 - 2.0 * ndc.y);
-    match field_of_view {
-        FieldOfView::Vertical(angle) => centred * (0.5 * angle).tan() * DVec2::new(aspect, 1.0),
-        FieldOfView::Horizontal(angle) => centred * (0.5 * angle).tan() * DVec2::new(1.0, 1.0 / aspect),
-    }
+    field_of_view.screen(ndc, aspect, field_of_view.slope())
 }
 
 /// The image plane stands at distance 1 in front of the hole, along −z [B §5.2].

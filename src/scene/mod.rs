@@ -14,6 +14,7 @@ use crate::light::Light;
 use crate::ray::{Crossing, Hit, Ray, Trace, Work};
 use crate::shape::Shape;
 use crate::shape::fan::Fan;
+use glam::DVec3;
 
 /// How a surface looks. The parameters and defaults of [D §4.6].
 #[derive(Clone, Debug, PartialEq)]
@@ -61,12 +62,21 @@ pub struct Object {
     pub material: usize,
     shape: Box<dyn Shape>,
     bounds: Aabb,
+    /// Does a ray look at the bounds before it is tested against the shape?
+    guarded: bool,
 }
 
 impl Object {
     pub fn new(name: impl Into<String>, shape: Box<dyn Shape>, material: usize) -> Self {
         let bounds = shape.bounds();
-        Object { name: name.into(), material, shape, bounds }
+        let guarded = shape.is_costly() && bounds.is_finite();
+        Object { name: name.into(), material, shape, bounds, guarded }
+    }
+
+    /// Does the ray certainly miss the object? `inv_direction` is `1/d`.
+    #[inline]
+    fn is_passed_by(&self, ray: &Ray, inv_direction: DVec3, t_max: f64) -> bool {
+        self.guarded && self.bounds.slab(ray.origin, inv_direction, 0.0, t_max).is_none()
     }
 
     pub fn shape(&self) -> &dyn Shape {
@@ -116,14 +126,20 @@ impl Scene {
     /// The nearest object along a ray with `0 < t < t_max`.
     #[inline]
     pub fn nearest<T: Trace>(&self, ray: &Ray, mut t_max: f64, trace: &mut T) -> Option<(usize, Crossing)> {
-        trace.count(Work::ShapeTest, self.objects.len() as u64);
+        let inv_direction = ray.direction.recip();
         let mut nearest = None;
+        let mut tests = 0;
         for (i, object) in self.objects.iter().enumerate() {
+            if object.is_passed_by(ray, inv_direction, t_max) {
+                continue;
+            }
+            tests += 1;
             if let Some(crossing) = object.shape.nearest(ray, 0.0, t_max) {
                 t_max = crossing.t;
                 nearest = Some((i, crossing));
             }
         }
+        trace.count(Work::ShapeTest, tests);
         nearest
     }
 
@@ -152,8 +168,16 @@ impl Scene {
 
     /// The first object, in order of declaration, that stands between the ends of a segment: `0 < t < t_max`.
     pub fn blocker<T: Trace>(&self, segment: &Ray, t_max: f64, trace: &mut T) -> Option<usize> {
-        let blocker = self.objects.iter().position(|object| object.shape.blocks(segment, t_max));
-        trace.count(Work::ShapeTest, blocker.map_or(self.objects.len(), |i| i + 1) as u64);
+        let inv_direction = segment.direction.recip();
+        let mut tests = 0;
+        let blocker = self.objects.iter().position(|object| {
+            if object.is_passed_by(segment, inv_direction, t_max) {
+                return false;
+            }
+            tests += 1;
+            object.shape.blocks(segment, t_max)
+        });
+        trace.count(Work::ShapeTest, tests);
         blocker
     }
 

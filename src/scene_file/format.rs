@@ -133,8 +133,8 @@ impl Kind {
             }
             Kind::Numbers { domain: Domain::EachNotZero, .. } => "a number other than 0".into(),
             Kind::Numbers { domain, .. } => format!("a number{}", domain.words()),
-            Kind::Integers { from, to: i64::MAX, .. } => format!("a whole number ≥ {from}"),
             Kind::Integers { from: i64::MIN, .. } => "a whole number".into(),
+            Kind::Integers { from, to: i64::MAX, .. } => format!("a whole number ≥ {from}"),
             Kind::Integers { from, to, .. } => format!("a whole number from {from} to {to}"),
             Kind::Name => "a name without spaces".into(),
             Kind::Reference(names) => format!("the name of a {}", names.word()),

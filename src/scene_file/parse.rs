@@ -1,6 +1,6 @@
 //! From tokens to blocks with checked values; every mistake is reported once, and reading goes on.
 
-use super::blocks::{BLOCKS, rule};
+use super::blocks::{rule, rules};
 use super::diagnostic::{Diagnostic, Span, quoted};
 use super::format::{Default, Kind, Param, Rule, Times};
 use super::suggest::nearest;
@@ -185,8 +185,8 @@ impl<'a> Parser<'a, '_> {
     }
 
     fn unknown_block(&mut self, name: &Token) -> Option<&'static Rule> {
-        let near = nearest(name.text, BLOCKS.iter().map(|r| r.name));
-        let all: Vec<_> = BLOCKS.iter().map(|r| r.name).collect();
+        let near = nearest(name.text, rules().map(|r| r.name));
+        let all: Vec<_> = rules().map(|r| r.name).collect();
         let mut d = Diagnostic::error(name.span.clone(), format!("unknown block {}", quoted(name.text)))
             .expected("the name of a block");
         d = match near {
@@ -217,13 +217,13 @@ impl<'a> Parser<'a, '_> {
             TokenKind::Open => Diagnostic::error(token.span.clone(), "this `{` belongs to no block")
                 .expected("a name before it"),
             _ => {
-                let home = BLOCKS.iter().find(|r| r.param(token.text).is_some());
+                let home = rules().find(|r| r.param(token.text).is_some());
                 let d = Diagnostic::error(
                     token.span.clone(),
                     format!("{} stands outside of any block", describe(token)),
                 )
                 .expected("the name of a block, and `{`");
-                match (home, nearest(token.text, BLOCKS.iter().map(|r| r.name))) {
+                match (home, nearest(token.text, rules().map(|r| r.name))) {
                     (Some(home), _) => d.help(format!("it is a parameter of `{}`", home.name)),
                     (None, Some(near)) => d.help(did_you_mean(token.text, near)),
                     _ => d,

@@ -1,6 +1,6 @@
 //! The format, printed.
 
-use super::blocks::BLOCKS;
+use super::blocks::rules;
 use super::format::{Default, Origin, Param, Rule, State, Times};
 
 /// The whole format as Markdown: every block with its parameters, values, defaults and units.
@@ -11,7 +11,7 @@ pub fn reference() -> String {
          line. Materials are declared before they are used. Names distinguish capital letters. \
          Rows marked † are this project's own, not the document's.\n",
     );
-    for rule in BLOCKS {
+    for rule in rules() {
         out.push_str(&section(rule));
     }
     out

@@ -135,9 +135,14 @@ pub trait Shape: Debug + Send + Sync {
         self.nearest(ray, 0.0, t_max).is_some()
     }
 
-    /// Could the shape stand in the way of some segment of the fan? A "no" is certain.
-    fn may_block(&self, fan: &Fan) -> bool {
-        self.bounds().overlaps(&fan.hull)
+    /// Is a look at the box that bounds it cheaper than a test of the shape, so that it comes first?
+    fn is_costly(&self) -> bool {
+        true
+    }
+
+    /// Could the shape stand in the way of some segment of a fan whose hull overlaps its bounds? A "no" is certain.
+    fn may_block(&self, _fan: &Fan) -> bool {
+        true
     }
 
     /// Puts 0 into `lit[i]` for every segment `i` of the fan that the shape [blocks](Shape::blocks).

@@ -56,10 +56,29 @@ impl Plane {
         if !self.sides.admit(ray.direction, self.across) {
             return None;
         }
+        if let Some(t) = self.plainly(ray) {
+            return Some(t);
+        }
         quotient::<Bounded>(self.point, self.across, ray)
             .or_else(|Uncertain| quotient::<DoubleDouble>(self.point, self.across, ray))
             .unwrap_or(None)
             .filter(|&t| ray.at(t).is_finite())
+    }
+
+    /// `n · (p₀ − o) / n · d` where little cancels: sums of at least an eighth of their absolute terms.
+    ///
+    /// Three roundings in `n · d` and four in `n · (p₀ − o)` are then at most 24 u and 32 u of them, and the
+    /// quotient rounds once: 57 u.
+    #[inline]
+    fn plainly(&self, ray: &Ray) -> Option<f64> {
+        let along = self.across * ray.direction;
+        let ahead = self.across * (self.point - ray.origin);
+        let (below, above) = (along.element_sum(), ahead.element_sum());
+        let clear = (8.0 * below.abs() >= along.abs().element_sum())
+            & (8.0 * above.abs() >= ahead.abs().element_sum())
+            & (below.abs().min(above.abs()) > f64::MIN_POSITIVE);
+        let t = above / below;
+        (clear && ray.at(t).is_finite()).then_some(t)
     }
 
     /// The hit at `t`, with coordinates in the plane: what flat surfaces share.
@@ -112,6 +131,10 @@ fn quotient<T: Scalar>(point: DVec3, across: DVec3, ray: &Ray) -> Result<Option<
 }
 
 impl Shape for Plane {
+    fn is_costly(&self) -> bool {
+        false
+    }
+
     fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
         first_between(self.meeting(ray).map(|t| Crossing::new(t, 0)), t_min, t_max)
     }

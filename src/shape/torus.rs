@@ -171,7 +171,7 @@ impl Torus {
     /// Directions at the surface point nearest to the ray's point at `t`.
     fn frame(&self, ray: &Ray, t: f64) -> Frame {
         let p = line::point(self.unit, ray, t);
-        let rho = p.x.hypot(p.y);
+        let rho = (p.x * p.x + p.y * p.y).sqrt(); // of order 1 in this unit
         let around = if rho > 0.0 { DVec2::new(p.x, p.y) / rho } else { DVec2::X };
         let out = DVec2::new(rho - self.scaled.a, p.z);
         let length = out.length();

@@ -18,6 +18,7 @@ mod pinhole;
 mod quadrics;
 mod sample;
 mod scene_file;
+mod scene_objects;
 mod shapes;
 mod sphere;
 mod statistics;

@@ -284,7 +284,6 @@ const MISTAKES: &[Mistake] = &[
     // Blocks to come.
     ("Mesh { Material m Source \"bunny.obj\" Scale 2 2 2 }", (5, 1), &["`Mesh` is not supported yet"]),
     ("CSG { Material m Source \"tree.csg\" }", (5, 1), &["`CSG` is not supported yet"]),
-    ("Cylinder { Material m Radius 1 }", (5, 1), &["`Cylinder` is not supported yet"]),
     (
         "Texture { Name t Source \"a#b.png\" }\nMaterial { Name a DiffuseTexture t }",
         (5, 1),

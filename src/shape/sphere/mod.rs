@@ -66,6 +66,10 @@ impl Sphere {
 }
 
 impl Shape for Sphere {
+    fn is_costly(&self) -> bool {
+        false
+    }
+
     #[inline]
     fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
         let (t0, t1) = self.roots(ray)?;

@@ -3,11 +3,18 @@
 //! The parser, its messages and the printed reference all read this table; a new block is a new row
 //! here, and its construction in `build`.
 
+mod objects;
+
 use super::format::{Default, Domain, Kind, Names, Origin, Param, Role, Rule, State};
 
 /// The block of that name.
 pub fn rule(name: &str) -> Option<&'static Rule> {
-    BLOCKS.iter().find(|r| r.name == name)
+    rules().find(|r| r.name == name)
+}
+
+/// Every block of the format, in the order of the reference.
+pub fn rules() -> impl Iterator<Item = &'static Rule> {
+    [WORLD, objects::OBJECTS, LIGHTS].into_iter().flatten()
 }
 
 /// Largest width or height of a picture [pixels].
@@ -54,41 +61,14 @@ const fn setting(name: &'static str, to: i64, default: &'static [i64], doc: &'st
 
 const NAME: Param =
     Param::new("Name", "name", Kind::Name, Default::Required, "what other blocks call it; unique");
-const MATERIAL: Param = Param::new(
-    "Material",
-    "name",
-    Kind::Reference(Names::Material),
-    Default::Required,
-    "a material declared above",
-);
 const SOURCE: Param =
     Param::new("Source", "\"file\"", Kind::Text, Default::Required, "path of the file to load");
-const TRANSLATION: Param =
-    Param::new("Translation", "x y z", triple(ANY), Default::Absent, "moves it").unit("m").repeatable();
-const ROTATION: Param = Param::new(
-    "Rotation",
-    "x y z angle",
-    Kind::Numbers { count: 4, domain: Domain::AxisAngle },
-    Default::Absent,
-    "turns it about the axis through the origin, counter-clockwise seen from the axis' tip",
-)
-.unit("rad")
-.repeatable();
-const SCALE: Param = Param::new(
-    "Scale",
-    "x y z",
-    triple(Domain::EachNotZero),
-    Default::Absent,
-    "stretches it about the origin; negative factors mirror",
-)
-.repeatable();
-
 const ZERO: &[f64] = &[0.0, 0.0, 0.0];
 const ONES: &[f64] = &[1.0, 1.0, 1.0];
 const SIDE: Kind = integer(1, LONGEST_SIDE as i64);
 
-/// Every block of the format.
-pub const BLOCKS: &[Rule] = &[
+/// The picture, the viewer, and what surfaces are made of.
+const WORLD: &[Rule] = &[
     Rule {
         name: "SceneSettings",
         role: Role::Settings,
@@ -211,59 +191,10 @@ pub const BLOCKS: &[Rule] = &[
             ),
         ],
     },
-    Rule {
-        name: "Sphere",
-        role: Role::Object,
-        state: State::Supported,
-        origin: Origin::Document,
-        doc: "A sphere [D §4.7.1].",
-        params: &[MATERIAL, point("Center", ZERO, "its centre"), length("Radius", &[1.0], "its radius")],
-    },
-    Rule {
-        name: "Box",
-        role: Role::Object,
-        state: State::Supported,
-        origin: Origin::Document,
-        doc: "The cube of edge 1 about the origin, transformed [D §4.7.2]: any number of transformations, \
-              applied in the order in which they are written.",
-        params: &[MATERIAL, TRANSLATION, ROTATION, SCALE],
-    },
-    Rule {
-        name: "Cylinder",
-        role: Role::Object,
-        state: State::Planned,
-        origin: Origin::Document,
-        doc: "A cylinder with its caps [D §4.7.3].",
-        params: &[
-            MATERIAL,
-            point("Base", ZERO, "centre of its base"),
-            Param::new(
-                "Axis",
-                "x y z",
-                triple(Domain::Direction),
-                Default::Numbers(&[0.0, 1.0, 0.0]),
-                "from the base to the top",
-            ),
-            length("Height", &[1.0], "from the base to the top"),
-            length("Radius", &[1.0], "its radius"),
-        ],
-    },
-    Rule {
-        name: "CSG",
-        role: Role::Object,
-        state: State::Planned,
-        origin: Origin::Document,
-        doc: "Solids combined by union, intersection and difference, from a file [D §4.8].",
-        params: &[MATERIAL, SOURCE],
-    },
-    Rule {
-        name: "Mesh",
-        role: Role::Object,
-        state: State::Planned,
-        origin: Origin::Document,
-        doc: "Triangles from an OBJ file, transformed in written order [D §4.9].",
-        params: &[MATERIAL, SOURCE, TRANSLATION, ROTATION, SCALE],
-    },
+];
+
+/// What shines.
+const LIGHTS: &[Rule] = &[
     Rule {
         name: "PointLight",
         role: Role::Light,

@@ -1,20 +1,17 @@
-//! From blocks to a scene: the only file that knows what becomes of each block.
+//! From blocks to a scene: the only place that knows what becomes of each block.
+
+mod objects;
+mod transformation;
 
 use super::blocks::{MOST_CELLS, MOST_PIXELS};
-use super::diagnostic::{Diagnostic, Severity, Span};
+use super::diagnostic::{Diagnostic, Severity};
 use super::format::{Role, State};
 use super::parse::{Block, Parsed};
 use super::{Given, Settings, declared, pending};
 use crate::color::Rgb;
-use crate::frame::rotation_about;
 use crate::light::{AreaLight, Falloff, Light, Placement, PointLight};
-use crate::scene::{Camera, CameraError, FieldOfView, Material, Object, Scene};
-use crate::shape::cuboid::Cuboid;
-use crate::shape::instance::Instance;
-use crate::shape::sphere::Sphere;
-use crate::shape::{Shape, ShapeError};
-use glam::{DAffine3, DMat3, DVec2, DVec3};
-use std::collections::HashMap;
+use crate::scene::{Camera, CameraError, FieldOfView, Material, Scene};
+use glam::{DVec2, DVec3};
 
 /// The scene, unless something is missing or wrong; what, is added to the log.
 pub fn build(source: &str, parsed: &Parsed, log: &mut Vec<Diagnostic>) -> Option<(Scene, Settings)> {
@@ -25,7 +22,7 @@ pub fn build(source: &str, parsed: &Parsed, log: &mut Vec<Diagnostic>) -> Option
     let settings = settings_block.map_or(Settings::default(), |b| settings(b, log));
     let camera = camera_block.and_then(|b| camera(b, log));
     let materials: Vec<_> = of(blocks, Role::is_material).map(|b| (b, material(b))).collect();
-    let objects = objects(blocks, &materials, log);
+    let objects = objects::objects(blocks, &materials, log);
     let lights: Vec<_> = of(blocks, |r| r == Role::Light).filter_map(|b| light(b, log)).collect();
     missing(source, parsed, log);
     let mut scene = Scene::new(camera?);
@@ -197,78 +194,6 @@ fn material(block: &Block) -> Material {
         reflection_angle: one("ReflectionAngle").to_radians(),
         reflection_amount: one("ReflectionAmount"),
     }
-}
-
-fn objects(blocks: &[Block], materials: &[(&Block, Material)], log: &mut Vec<Diagnostic>) -> Vec<Object> {
-    let index: HashMap<&str, usize> =
-        materials.iter().enumerate().rev().map(|(i, (_, m))| (m.name.as_str(), i)).collect();
-    let mut objects = Vec::new();
-    for block in of(blocks, |r| r == Role::Object) {
-        let material = block.word("Material").and_then(|name| index.get(name));
-        if block.is_broken() || block.rule.state == State::Planned {
-            continue;
-        }
-        match (shape(block), material) {
-            (Ok(shape), Some(&material)) => {
-                objects.push(Object::new(
-                    format!("{} (line {})", block.rule.name, block.line),
-                    shape,
-                    material,
-                ));
-            }
-            (Ok(_), None) => {} // reported where the material is named
-            (Err((span, error)), _) => {
-                log.push(Diagnostic::error(span, format!("this is no {}: {error}", block.rule.name)));
-            }
-        }
-    }
-    objects
-}
-
-type ShapeOrPlace = Result<Box<dyn Shape>, (Span, ShapeError)>;
-
-/// The shape of an object's block, or what is wrong with it and where.
-fn shape(block: &Block) -> ShapeOrPlace {
-    let at_keyword = |error| (block.keyword.clone(), error);
-    match block.rule.name {
-        "Sphere" => {
-            let (center, [radius]) = (DVec3::from(block.numbers("Center")), block.numbers("Radius"));
-            Ok(Box::new(Sphere::new(center, radius).map_err(at_keyword)?))
-        }
-        "Box" => transformed_box(transformation(block)).map_err(at_keyword),
-        other => unreachable!("the table of blocks promises a builder of {other}"),
-    }
-}
-
-/// All transformations of a block, in written order.
-fn transformation(block: &Block) -> DAffine3 {
-    let mut map = DAffine3::IDENTITY;
-    for entry in &block.entries {
-        let Some(value) = &entry.value else { continue };
-        let step = match (entry.param.name, value.numbers()) {
-            ("Translation", &[x, y, z]) => DAffine3::from_translation(DVec3::new(x, y, z)),
-            ("Scale", &[x, y, z]) => DAffine3::from_scale(DVec3::new(x, y, z)),
-            ("Rotation", &[x, y, z, angle]) => {
-                let turn = rotation_about(DVec3::new(x, y, z), angle).unwrap_or(DMat3::IDENTITY);
-                DAffine3::from_mat3(turn)
-            }
-            _ => continue,
-        };
-        map = step * map;
-    }
-    map
-}
-
-/// The cube of edge 1 about the origin under a map: a plain box if its edges stay along the axes.
-fn transformed_box(map: DAffine3) -> Result<Box<dyn Shape>, ShapeError> {
-    let half = DVec3::splat(0.5);
-    let m = map.matrix3;
-    let diagonal = DVec3::new(m.x_axis.x, m.y_axis.y, m.z_axis.z);
-    if m == DMat3::from_diagonal(diagonal) {
-        let reach = (diagonal * half).abs();
-        return Ok(Box::new(Cuboid::new(map.translation - reach, map.translation + reach)?));
-    }
-    Ok(Box::new(Instance::new(Box::new(Cuboid::new(-half, half)?), map)?))
 }
 
 fn light(block: &Block, log: &mut Vec<Diagnostic>) -> Option<Light> {

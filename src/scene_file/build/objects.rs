@@ -1,0 +1,155 @@
+//! From blocks to objects.
+
+use super::transformation::{Made, cube, ellipsoid, instance, placed, transformation};
+use super::{later, of, point};
+use crate::bounds::Aabb;
+use crate::frame::basis;
+use crate::scene::{Material, Object};
+use crate::scene_file::diagnostic::Diagnostic;
+use crate::scene_file::format::{Default, Kind, Param, Role, State};
+use crate::scene_file::parse::Block;
+use crate::shape::cone::Cone;
+use crate::shape::cylinder::Cylinder;
+use crate::shape::disc::Disc;
+use crate::shape::plane::Plane;
+use crate::shape::quadric::{ClippedQuadric, Coefficients, Quadric};
+use crate::shape::torus::Torus;
+use crate::shape::triangle::Triangle;
+use crate::shape::{ShapeError, Sides};
+use glam::{DAffine3, DMat3, DVec3};
+use std::collections::HashMap;
+
+/// The objects of a file; what is wrong with them is added to the log.
+pub fn objects(blocks: &[Block], materials: &[(&Block, Material)], log: &mut Vec<Diagnostic>) -> Vec<Object> {
+    let index: HashMap<&str, usize> =
+        materials.iter().enumerate().rev().map(|(i, (_, m))| (m.name.as_str(), i)).collect();
+    let mut objects = Vec::new();
+    for block in of(blocks, |r| r == Role::Object) {
+        if block.is_broken() || block.rule.state == State::Planned || lacks_numbers(block) {
+            continue; // reported where it was read
+        }
+        if let Some(d) = contradiction(block) {
+            log.push(d);
+            continue;
+        }
+        match (shape(block), block.word("Material").and_then(|name| index.get(name))) {
+            (Ok(shape), Some(&material)) => {
+                objects.push(Object::new(
+                    format!("{} (line {})", block.rule.name, block.line),
+                    shape,
+                    material,
+                ));
+            }
+            (Ok(_), None) => {} // reported where the material is named
+            (Err(error), _) => {
+                let message = format!("this is no {}: {error}", block.rule.name);
+                log.push(Diagnostic::error(block.keyword.clone(), message));
+            }
+        }
+    }
+    objects
+}
+
+/// Is there a required parameter that is not written? (A shape can be checked without its material.)
+fn lacks_numbers(block: &Block) -> bool {
+    let required = |p: &&Param| p.default == Default::Required && matches!(p.kind, Kind::Numbers { .. });
+    block.rule.params.iter().filter(required).any(|p| block.entry(p.name).is_none())
+}
+
+fn vector(block: &Block, name: &str) -> DVec3 {
+    DVec3::from(block.numbers(name))
+}
+
+fn scalar(block: &Block, name: &str) -> f64 {
+    block.numbers::<1>(name)[0]
+}
+
+/// Two parameters that are right alone and wrong together.
+fn contradiction(block: &Block) -> Option<Diagnostic> {
+    let at = |a, b| block.span(later(block, a, b));
+    match block.rule.name {
+        "Cone" if scalar(block, "Radius") == 0.0 && scalar(block, "TopRadius") == 0.0 => {
+            let d = Diagnostic::error(at("Radius", "TopRadius"), "both radii of the `Cone` are 0");
+            Some(d.expected("one of them above 0"))
+        }
+        "Torus" => {
+            let (major, minor) = (scalar(block, "Major"), scalar(block, "Minor"));
+            let message = "the `Torus` has no hole";
+            let d = Diagnostic::error(at("Major", "Minor"), message).expected("`Major` above `Minor`");
+            (major <= minor).then(|| d.found(format!("Major {major} and Minor {minor}")))
+        }
+        "Quadric" => {
+            let clip = clip_box(block);
+            let d = Diagnostic::error(at("ClipMin", "ClipMax"), "the clip box is empty");
+            let d = d.expected("`ClipMin` below `ClipMax` along each axis");
+            let found = format!("{} and {}", point(clip.min), point(clip.max));
+            (!clip.min.cmplt(clip.max).all()).then(|| d.found(found))
+        }
+        _ => None,
+    }
+}
+
+/// The shape of an object's block.
+fn shape(block: &Block) -> Made {
+    let map = transformation(block);
+    let (vector, scalar) = (|name| vector(block, name), |name| scalar(block, name));
+    match block.rule.name {
+        "Sphere" => ellipsoid(vector("Center"), DVec3::splat(scalar("Radius")), map),
+        "Ellipsoid" => ellipsoid(vector("Center"), vector("SemiAxes"), map),
+        "Box" => cube(map),
+        "Cylinder" => placed(map, |by| {
+            Cylinder::upon(vector("Base") + by, vector("Axis"), scalar("Height"), scalar("Radius"))
+        }),
+        "Cone" => placed(map, |by| {
+            let base = vector("Base") + by;
+            let axis = ShapeError::direction("axis of a cone", vector("Axis"))?;
+            Cone::new(base, base + axis * scalar("Height"), scalar("Radius"), scalar("TopRadius"))
+        }),
+        "Torus" => torus(block, map),
+        "Plane" => {
+            placed(map, |by| Ok(Plane::new(vector("Point") + by, vector("Normal"))?.with_sides(sides(block))))
+        }
+        "Disc" => placed(map, |by| {
+            let disc = Disc::new(vector("Center") + by, vector("Normal"), scalar("Radius"))?;
+            Ok(disc.with_sides(sides(block)))
+        }),
+        "Triangle" => placed(map, |by| {
+            let [v0, v1, v2] = ["V0", "V1", "V2"].map(|name| vector(name) + by);
+            Ok(Triangle::new(v0, v1, v2)?.with_sides(sides(block)))
+        }),
+        "Quadric" => quadric(block, map),
+        other => unreachable!("the table of blocks promises a builder of {other}"),
+    }
+}
+
+fn sides(block: &Block) -> Sides {
+    match block.word("Sides") {
+        Some("front") => Sides::Front,
+        _ => Sides::Both,
+    }
+}
+
+/// A torus is made about +z at the origin; an instance brings it to its axis and centre.
+fn torus(block: &Block, map: DAffine3) -> Made {
+    let axis = ShapeError::direction("axis of a torus", vector(block, "Axis"))?;
+    let (x, y) = basis(axis);
+    let stand = DAffine3::from_mat3_translation(DMat3::from_cols(x, y, axis), vector(block, "Center"));
+    instance(Torus::new(scalar(block, "Major"), scalar(block, "Minor"))?, map * stand)
+}
+
+/// The box of `ClipMin` and `ClipMax`; where one is not written, endless that way.
+fn clip_box(block: &Block) -> Aabb {
+    let corner = |name, none| if block.entry(name).is_some() { vector(block, name) } else { none };
+    Aabb::new(corner("ClipMin", DVec3::NEG_INFINITY), corner("ClipMax", DVec3::INFINITY))
+}
+
+fn quadric(block: &Block, map: DAffine3) -> Made {
+    let [a, b, c, d, e] = ["A", "B", "C", "D", "E"].map(|name| scalar(block, name));
+    let [f, g, h, i, j] = ["F", "G", "H", "I", "J"].map(|name| scalar(block, name));
+    let quadric = Quadric::new(Coefficients { a, b, c, d, e, f, g, h, i, j })?;
+    let clip = clip_box(block);
+    if clip == Aabb::EVERYTHING {
+        return instance(quadric, map);
+    }
+    instance(ClippedQuadric { quadric, clip }, map)
+}
