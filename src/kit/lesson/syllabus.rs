@@ -57,6 +57,22 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &["shape::torus", "shape::instance"],
         builds_on: &[(2, "moving the origin saves the quadratic"), (3, "shadow rays start on surfaces")],
     },
+    Entry {
+        number: 6,
+        name: "quadrics",
+        question: "When does the general quadric lose to a dedicated shape, in time and in digits?",
+        chapter: "Surfaces",
+        introduces: &[],
+        builds_on: &[(2, "a ray meets a sphere"), (3, "a scene, a light, a picture")],
+    },
+    Entry {
+        number: 7,
+        name: "frames",
+        question: "What does it cost to move, turn and stretch a shape, and where do frames break?",
+        chapter: "Surfaces",
+        introduces: &[],
+        builds_on: &[(1, "the camera's right, up and forward"), (6, "shapes along the axes")],
+    },
 ];
 
 impl Entry {
