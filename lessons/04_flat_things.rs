@@ -77,7 +77,7 @@ fn main() -> Result {
     let [safe_ns, quick_ns] = [0, 1].map(|i| 1.0e9 * time(&results[i].1));
     lesson.answer(&format!(
         "the watertight one: no ray of {} got out; Möller–Trumbore lost {} of them, and the printed test the whole \
-         mesh of 1 mm. A test takes {safe_ns:.1} ns instead of {quick_ns:.1} ns, which buys certainty",
+         mesh of 1 mm. A test takes {safe_ns:.1} ns, Möller–Trumbore's {quick_ns:.1} ns",
         3 * rays,
         total(quick),
     ))
@@ -119,9 +119,9 @@ fn sweep(seed: u64, rays: u32, count: Count) -> Outcome {
         let tests = inner.iter().map(|(_, face)| around[*face].len()).sum();
         times.push(time_each(tests, || inner.iter().map(|&shot| met(shot)).sum::<usize>()));
     }
-    // A loaded machine only ever adds: the quietest of the medians is the nearest to the test's own time.
+    // A loaded machine only adds: the quieter median is nearer the truth. (At 1 mm A's test is quick: it rejects all.)
     let quietest =
-        times.into_iter().min_by(|a, b| a.mid.total_cmp(&b.mid)).unwrap_or(Spread::exact(f64::NAN));
+        times.into_iter().skip(1).min_by(|a, b| a.mid.total_cmp(&b.mid)).unwrap_or(Spread::exact(f64::NAN));
     let worst = gaps.into_iter().max().unwrap_or(0) as f64 / f64::from(rays);
     let series = Series::new(vec![Point::at(1.0).erred(Spread::exact(worst)).timed(quietest)]);
     Outcome { gaps, twice, series }
