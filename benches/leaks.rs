@@ -47,7 +47,7 @@ fn leaks(i: u64, mesh: &[Face], near: &[Vec<Face>]) -> bool {
         _ => (a + b) * 0.5,
     };
     // Every other ray starts in the middle; of those at corners, each then points exactly at one.
-    let origin = if i % 2 == 0 {
+    let origin = if i.is_multiple_of(2) {
         DVec3::ZERO
     } else {
         (DVec3::from_array([(); 3].map(|()| sampler.next_1d())) - 0.5) * 0.8

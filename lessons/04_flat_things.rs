@@ -11,7 +11,6 @@ use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Point, Series, Spread, time_each};
 use lightbench::num::U;
 use lightbench::ray::Ray;
-use lightbench::sample::{Sampler, uniform_triangle};
 use lightbench::shape::Sides::Both;
 use lightbench::shape::triangle::{
     Meeting, PreparedRay, as_printed, icosphere, moller_trumbore, plane_and_areas,
@@ -24,8 +23,11 @@ mod bounds;
 mod charts;
 #[path = "04_flat_things/diagrams.rs"]
 mod diagrams;
+#[path = "04_flat_things/shots.rs"]
+mod shots;
 #[path = "04_flat_things/terminator.rs"]
 mod terminator;
+use shots::{Aim, shot};
 
 const LEVELS: u32 = 2; // 320 faces with edges of 0.28 to 0.32 radii
 const RADII: [f64; 3] = [1.0e-3, 1.0, 1.0e3]; // m
@@ -75,13 +77,13 @@ fn main() -> Result {
     let [safe_ns, quick_ns] = [0, 1].map(|i| 1.0e9 * time(&results[i].1));
     lesson.answer(&format!(
         "the watertight one: no ray of {} got out; Möller–Trumbore lost {} of them, and the printed test the whole \
-         mesh of 1 mm. A test takes {safe_ns:.1} ns instead of {quick_ns:.1} ns, which buys certainty",
+         mesh of 1 mm. A test takes {safe_ns:.1} ns, Möller–Trumbore's {quick_ns:.1} ns",
         3 * rays,
         total(quick),
     ))
 }
 
-/// What a method did with rays at edges and corners, for each radius; and its series for the chart.
+/// What a method did with rays at edges and corners, for each radius; its worst share of leaks, and its time.
 struct Outcome {
     /// Rays that met nothing.
     gaps: [u64; 3],
@@ -94,13 +96,13 @@ fn total(counts: [u64; 3]) -> u64 {
     counts.iter().sum()
 }
 
-/// Median time of a test on the mesh of 1 m [s].
+/// Time of a test [s].
 fn time(outcome: &Outcome) -> f64 {
-    outcome.series.points[1].time.map_or(f64::NAN, |t| t.mid)
+    outcome.series.points[0].time.map_or(f64::NAN, |t| t.mid)
 }
 
 fn sweep(seed: u64, rays: u32, count: Count) -> Outcome {
-    let (mut gaps, mut twice, mut points) = ([0; 3], [0; 3], Vec::new());
+    let (mut gaps, mut twice, mut times) = ([0; 3], [0; 3], Vec::new());
     for (i, radius) in RADII.into_iter().enumerate() {
         let mesh: Vec<Face> = icosphere(LEVELS).into_iter().map(|f| f.map(|v| v * radius)).collect();
         let touches = |f: &Face, g: &Face| f.iter().any(|v| g.contains(v));
@@ -115,11 +117,14 @@ fn sweep(seed: u64, rays: u32, count: Count) -> Outcome {
             .reduce(|| (0, 0), |a, b| (a.0 + b.0, a.1 + b.1));
         let inner: Vec<(Ray, usize)> = (0..TIMED).map(shoot(Aim::Inside)).collect();
         let tests = inner.iter().map(|(_, face)| around[*face].len()).sum();
-        let seconds = time_each(tests, || inner.iter().map(|&shot| met(shot)).sum::<usize>());
-        let leaks = Spread::exact(gaps[i] as f64 / f64::from(rays));
-        points.push(Point::at(radius).erred(leaks).timed(seconds));
+        times.push(time_each(tests, || inner.iter().map(|&shot| met(shot)).sum::<usize>()));
     }
-    Outcome { gaps, twice, series: Series::new(points) }
+    // A loaded machine only adds: the quieter median is nearer the truth. (At 1 mm A's test is quick: it rejects all.)
+    let quietest =
+        times.into_iter().skip(1).min_by(|a, b| a.mid.total_cmp(&b.mid)).unwrap_or(Spread::exact(f64::NAN));
+    let worst = gaps.into_iter().max().unwrap_or(0) as f64 / f64::from(rays);
+    let series = Series::new(vec![Point::at(1.0).erred(Spread::exact(worst)).timed(quietest)]);
+    Outcome { gaps, twice, series }
 }
 
 fn met(faces: &[Face], test: impl Fn(Face) -> Option<Meeting>) -> usize {
@@ -141,33 +146,4 @@ fn areas(ray: &Ray, faces: &[Face]) -> usize {
 
 fn printed(ray: &Ray, faces: &[Face]) -> usize {
     met(faces, |face| as_printed(ray, face, Both))
-}
-
-/// Where rays go: to edges and corners, or anywhere.
-#[derive(Clone, Copy)]
-enum Aim {
-    Edges,
-    Inside,
-}
-
-/// A ray from inside the unit mesh, and the face that it is aimed at.
-fn shot(seed: u64, k: u32, aim: Aim) -> (Ray, usize) {
-    thread_local! { static MESH: Vec<Face> = icosphere(LEVELS); }
-    let mut sampler = Sampler::new(seed, k.into(), 0);
-    let (pick, along, from) =
-        (sampler.next_1d(), sampler.next_2d(), [(); 3].map(|()| sampler.next_1d() - 0.5));
-    MESH.with(|mesh| {
-        let face = (pick * mesh.len() as f64) as usize;
-        let [a, b, c] = mesh[face];
-        let target = match (aim, k % 2) {
-            (Aim::Edges, 0) => a,
-            (Aim::Edges, _) => a + (b - a) * along.x,
-            (Aim::Inside, _) => {
-                let w = uniform_triangle(along);
-                a * w.x + b * w.y + c * w.z
-            }
-        };
-        let origin = DVec3::from_array(from) * 0.8;
-        (Ray::new(origin, (target - origin).normalize()), face)
-    })
 }

@@ -36,7 +36,7 @@ fn orientation() -> Diagram {
     for (i, a) in corners.into_iter().enumerate() {
         let b = corners[(i + 1) % 4];
         let inset = |v: DVec3| space.at(v * 0.72);
-        d = d.beam(Light::Incident, inset(a.lerp(b, 0.1)), inset(a.lerp(b, 0.9)));
+        d = d.ray(Light::Incident, inset(a.lerp(b, 0.1)), inset(a.lerp(b, 0.9)));
     }
     d.title("The corners' order says which side is the front")
         .subtitle("seen from its front the quad winds counter-clockwise; its corners have normals of their own; after A, ill. 4")
@@ -70,7 +70,6 @@ fn ray_plane() -> Diagram {
     let (origin, p) = (dvec2(-1.6, 2.2), dvec2(1.6, 0.0));
     Diagram::fitted()
         .ground(dvec2(-3.2, 0.0), n)
-        .curve(&[dvec2(-3.4, 0.0), dvec2(3.4, 0.0)])
         .ray(Light::Incident, origin, p)
         .name("l_{0} + t l")
         .point(origin)

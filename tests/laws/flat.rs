@@ -12,7 +12,7 @@ use lightbench::shape::triangle::{
     Facing, PreparedRay, Triangle, icosphere, interpolated_normal, moller_trumbore, plane_and_areas,
     terminator_point,
 };
-use lightbench::shape::{Shape, ShapeError, Sides};
+use lightbench::shape::{Shape, ShapeError, Sides, triangle};
 use proptest::prelude::*;
 use proptest::test_runner::Config;
 use rayon::prelude::*;
@@ -135,6 +135,50 @@ fn front_sides_answer_only_rays_against_the_normal() {
         });
         assert_eq!(hit.collect::<Vec<_>>(), [true, false], "{shape:?}");
     }
+}
+
+/// Every edge belongs to two faces, which run along it in opposite ways; corners are equal to the bit.
+#[test]
+fn the_icosphere_is_closed() {
+    let bits = |v: DVec3| v.to_array().map(f64::to_bits);
+    for levels in 0..=3 {
+        let faces = icosphere(levels);
+        assert_eq!(faces.len(), 20 << (2 * levels));
+        let edges: std::collections::HashSet<_> = faces
+            .iter()
+            .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)].map(|(p, q)| (bits(p), bits(q))))
+            .collect();
+        assert_eq!(edges.len(), 3 * faces.len(), "an edge twice in the same way");
+        assert!(edges.iter().all(|&(p, q)| edges.contains(&(q, p))), "an open edge");
+        assert!(
+            faces.iter().all(|[a, b, c]| (*b - *a).cross(*c - *a).dot(*a) > 0.0),
+            "a face turned inwards"
+        );
+    }
+}
+
+/// Hit or miss does not depend on the unit of length; the printed test's answer does.
+///
+/// The target misses its plane by some 8 u of the size, which at a slant of 10⁻⁶ moves `t` by 8 u · 10⁶ ≈ 10⁻⁹.
+#[test]
+fn triangles_are_met_at_every_size() {
+    let printed = |k: i32| {
+        let scale = 2f64.powi(k);
+        let [a, b, c] = CORNERS.map(|v| v * scale);
+        let target = (a + b + c) / 3.0;
+        let normal = Triangle::new(a, b, c).unwrap().normal();
+        for slant in [0.0, 0.9, 0.999_999] {
+            let way = -normal * (1.0 - slant) + (b - a).normalize() * slant;
+            let ray = Ray::new(target - way * scale, way);
+            let m = PreparedRay::new(&ray).meet([a, b, c]).unwrap();
+            assert!((m.t / scale - 1.0).abs() <= 1e-9, "2^{k}, {slant}: {m:?}");
+        }
+        triangle::as_printed(&Ray::new(target + normal * scale, -normal), [a, b, c], Sides::Both).is_some()
+    };
+    assert_eq!(
+        [-300, -100, -20, 0, 20, 100, 300].map(printed),
+        [false, false, false, true, true, true, true]
+    );
 }
 
 /// Numbers in [0,1) from a counter (Steele, Lea & Flood's SplitMix64).
