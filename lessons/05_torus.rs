@@ -31,6 +31,7 @@ const RING: f64 = 2.0; // m; the printed solver has thresholds with units, so th
 const RATIO: std::ops::Range<f64> = 1.0e-4..0.99; // b/a
 const DISTANCE: std::ops::Range<f64> = 4.0..1.0e4; // D/a: outside the torus, which ends before 2 a
 const GRAZE: std::ops::Range<f64> = 1.0e-12..0.1; // depth of a ray that grazes [b]
+const CLOSE: f64 = 1.0e-11; // depth [b] of grazing rays in the map and over b/a
 const PLAIN: (f64, f64) = (0.3, 10.0); // b/a and D/a where another parameter is swept
 const LAMP: DVec3 = DVec3::new(3.0, 9.0, 8.0); // m
 
@@ -54,7 +55,7 @@ fn main() -> Result {
     };
     let steps = |r: std::ops::Range<f64>| log_spaced(r.start, r.end, 8);
     let far = over(&steps(DISTANCE), &|i, x| question(seed, i, (PLAIN.0, x), Aim::Through));
-    let thin = over(&steps(RATIO), &|i, x| question(seed, i, (x, PLAIN.1), turns(i, 1.0e-6)));
+    let thin = over(&steps(RATIO), &|i, x| question(seed, i, (x, PLAIN.1), turns(i, CLOSE)));
     let graze = over(&steps(GRAZE), &|i, x| question(seed, i, (1.0e-3, PLAIN.1), Aim::Grazing(x)));
 
     // 3. The figures.
@@ -129,7 +130,7 @@ fn map_cells(lesson: &Lesson) -> Cells {
     let size = lesson.pick([(8, 6), (32, 22), (80, 56), (120, 84)]);
     let (mut questions, [across, up]) = (Vec::new(), axes());
     let ask = |distance, ratio| {
-        (0..8).map(|i| question(lesson.seed(), i, (ratio, distance), turns(i, 1.0e-6))).collect()
+        (0..8).map(|i| question(lesson.seed(), i, (ratio, distance), turns(i, CLOSE))).collect()
     };
     FailureMap::new(across, up, "", size, |distance, ratio| {
         questions.push(ask(distance, ratio));

@@ -120,7 +120,7 @@ pub fn thin(contest: &Contest) -> Figure {
             contest[worst].0.name,
             failed(contest, worst)
         ))
-        .subtitle("distance 10 a; half of the rays graze at 10⁻⁶ b under or above the surface");
+        .subtitle("distance 10 a; half of the rays graze at 10⁻¹¹ b under or above the surface");
     Figure::from(lines(chart, contest)).caption(
         "Share of roots that a method misses or invents, over the thickness of the ring. The two roots of a tube lie 2b apart or \
          less, and a solver in plain f64 can tell a pair apart only down to about √u.",
@@ -149,8 +149,8 @@ pub fn failure_words(map: FailureMap, of: TorusMethod) -> Figure {
         0.0 => format!("{name} keeps every root, near and far, thick and thin"),
         _ => format!("{name} fails on {:.0} % of the map", 100.0 * share),
     };
-    let map = map.range(1.0e-16, 1.0e-6).failing("misses or invents roots").title(&title).subtitle(
-        "eight rays a cell, half of them graze at 10⁻⁶ b; root-mean-square error; hatched: a root missed or invented",
+    let map = map.range(1.0e-16, 1.0e-4).failing("misses or invents roots").title(&title).subtitle(
+        "eight rays a cell, half of them graze at 10⁻¹¹ b; root-mean-square error; hatched: a root missed or invented",
     );
     Figure::from(map).caption(&format!(
         "Where {name} fails: distance of the ray's origin from left to right, thickness of the ring upwards; elsewhere its error."
