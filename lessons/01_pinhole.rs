@@ -22,7 +22,7 @@ use glam::{DVec2, Vec3Swizzles};
 use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{self, Method};
 use lightbench::num::statistics::Moments;
-use lightbench::sample::{Sampler, cosine_hemisphere, point2, uniform_disc, uniform_sphere};
+use lightbench::sample::{Sampler, cosine_hemisphere, uniform_disc};
 use lightbench::scene::pinhole::{coaxial_discs_share, hole_solid_angle};
 use std::f64::consts::{PI, TAU};
 use std::ops::RangeInclusive;
@@ -49,7 +49,7 @@ fn main() -> Result {
     let irradiance = PI * RADIANCE * coaxial_discs_share(PIXEL, HOLE, DEPTH);
 
     // 2. The contestants: follow light from the lamp, or ask from the film; blind, or aimed at the hole.
-    let counted = photons_through(lesson.seed());
+    let counted = photons::through(lesson.seed());
     let contest = |(method, budgets, sample): (Method, _, Estimator)| {
         let mut answers = Vec::new();
         let series = measure::sweep(&lesson.budgets(budgets), REPETITIONS, irradiance, |rays, run| {
@@ -109,19 +109,6 @@ fn main() -> Result {
         charts::power(rays(1)),
         rays(3).ceil()
     ))
-}
-
-/// Photons of a bare bulb on the axis that pass each of the [`HOLES`].
-fn photons_through(seed: u64) -> [u64; HOLES.len()] {
-    let mut counted = [0; HOLES.len()];
-    for i in 0..PHOTONS {
-        let w = uniform_sphere(point2(seed, u32::MAX, i)); // a run of its own
-        let off_axis = DISTANCE * w.xy().length() / w.z;
-        for (count, hole) in counted.iter_mut().zip(HOLES) {
-            *count += u64::from(w.z > 0.0 && off_axis <= 0.5 * hole);
-        }
-    }
-    counted
 }
 
 /// E from one photon that leaves the lamp anywhere, in any direction.

@@ -14,7 +14,6 @@ use lightbench::num::gamma;
 use lightbench::num::real::{Real, Triple};
 use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::shape::sphere::method::{Pair, algebraic, geometric, in_front, robust};
-use lightbench::shape::sphere::reference::Meeting;
 
 #[path = "02_sphere/asides.rs"]
 mod asides;
@@ -22,7 +21,7 @@ mod asides;
 mod diagrams;
 #[path = "02_sphere/figures.rs"]
 mod figures;
-use asides::{Cost, failure_map, losses, savings, time_per_ray};
+use asides::{Cost, failure_map, judge, losses, rounded, savings, time_per_ray};
 use figures::{between, error_at, sci};
 
 const RADIUS: f64 = 1.0; // m
@@ -96,21 +95,6 @@ fn line_at(direction: DVec3, distance: f64, impact: f64, turn: f64) -> Line<f64>
     let back = (distance * distance - impact * impact).max(0.0).sqrt();
     let f = (right * cos + up * sin) * impact - direction * back;
     ((f * RADIUS).to_array(), direction.to_array())
-}
-
-/// The line as a machine of type `R` holds it: this, not the line that was meant, is what a method answers for.
-fn rounded<R: Real>((f, d): &Line<f64>) -> Line<R> {
-    (f.map(R::from_f64), d.map(R::from_f64))
-}
-
-/// The answer and the truth about one line: none of both, one of both, or the error of t₀ [radii].
-fn judge<R: Real>(tally: &mut Tally, (f, d): Line<R>, found: Option<R>) {
-    let truth = Meeting::of(f.map(R::to_f64), d.map(R::to_f64), RADIUS);
-    let found = found.map(R::to_f64);
-    match found.and_then(|t| truth.behind_first(t)) {
-        Some(behind) => tally.error(behind / RADIUS),
-        None => tally.answer(found, truth.half_chord),
-    }
 }
 
 /// Error and failures of one method over all sets of lines, and its time over three of the sets together.

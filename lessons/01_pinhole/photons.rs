@@ -1,9 +1,10 @@
 //! Diagrams of lesson 01: photons forwards, rays backwards.
 
 use super::obscura::told;
-use glam::{DVec2, DVec3, dvec2, dvec3};
+use super::{DISTANCE, HOLES, PHOTONS};
+use glam::{DVec2, DVec3, Vec3Swizzles, dvec2, dvec3};
 use lightbench::kit::figure::{Diagram, Figure, Light};
-use lightbench::sample::uniform;
+use lightbench::sample::{point2, uniform, uniform_sphere};
 use std::f64::consts::{PI, TAU};
 
 /// Where a line first meets a ball, in lengths of its direction; lesson 02 does it with care.
@@ -228,4 +229,17 @@ pub fn ways_of_photons(photons: u32) -> Figure {
               floor.",
         );
     told(d, "After A, illustration 53, each way picked from the traced photons of its kind.")
+}
+
+/// Photons of a bare bulb on the axis that pass each of the [`HOLES`].
+pub fn through(seed: u64) -> [u64; HOLES.len()] {
+    let mut counted = [0; HOLES.len()];
+    for i in 0..PHOTONS {
+        let w = uniform_sphere(point2(seed, u32::MAX, i)); // a run of its own
+        let off_axis = DISTANCE * w.xy().length() / w.z;
+        for (count, hole) in counted.iter_mut().zip(HOLES) {
+            *count += u64::from(w.z > 0.0 && off_axis <= 0.5 * hole);
+        }
+    }
+    counted
 }
