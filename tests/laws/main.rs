@@ -14,6 +14,7 @@ mod lessons;
 mod local;
 mod measure;
 mod num;
+mod polyhedron;
 mod quadrics;
 mod sample;
 mod scene_file;
