@@ -11,19 +11,21 @@
 mod charts;
 #[path = "07_frames/diagrams.rs"]
 mod diagrams;
+#[path = "07_frames/measured.rs"]
+mod measured;
 #[path = "07_frames/moved.rs"]
 mod moved;
 #[path = "07_frames/stage.rs"]
 mod stage;
 
 use glam::{DMat3, DQuat, DVec3, dvec3};
-use lightbench::frame::{Frame, duff, frisvad, rotation_about, transform_normal};
+use lightbench::frame::{duff, frisvad, transform_normal};
 use lightbench::kit::figure::short;
 use lightbench::kit::lesson::{Lesson, Result};
-use lightbench::measure::{Method, Point, Series, Tally, log_spaced, rounding};
-use lightbench::num::real::{Real, Triple};
-use lightbench::sample::{Sampler, uniform_sphere};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+use lightbench::measure::{Method, Point, Series, log_spaced, rounding};
+use lightbench::num::real::Real;
+use measured::{defects, quaternions_agree, tilts};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 const STRETCH: DVec3 = dvec3(1.0, 0.5, 1.0); // of the picture with wrong normals
 const GAPS: (f64, f64) = (1.0e-16, 2.0); // 1 + z of the directions round which bases are built
@@ -39,7 +41,7 @@ fn main() -> Result {
 
     // 2. The contestants: a shape moved, or made in its place; two bases; two normals; matrix and quaternion.
     let contest = moved::contest(&lesson, rays);
-    let gaps = log_spaced(GAPS.0, GAPS.1, lesson.pick([9, 33, 65, 65]));
+    let gaps = log_spaced(GAPS.0, GAPS.1, lesson.pick([33, 33, 65, 65]));
     let bases = [
         (Method::new("Frisvad, f32").styled(1), defects(&lesson, &gaps, frisvad::<f32>)),
         (Method::new("Frisvad, f64").styled(3), defects(&lesson, &gaps, frisvad::<f64>)),
@@ -129,61 +131,4 @@ fn rotations_by_hand(lesson: &Lesson) {
     }
     let flat = DMat3::from_cols_array_2d(&printed(FRAC_PI_4)).determinant();
     lesson.say(&format!("{text}\nThe first matrix has determinant cos 2θ: {flat:.0e} at 45°, where it presses the plane into a line."));
-}
-
-/// The worst of twelve bases round directions with `z = −1 + gap`: how far from orthonormal.
-fn defects<R: Real>(lesson: &Lesson, gaps: &[f64], basis: fn(Triple<R>) -> (Triple<R>, Triple<R>)) -> Series {
-    Series::over(gaps, |gap| {
-        let mut tally = Tally::new();
-        for i in 0..64 {
-            let turn = TAU * Sampler::new(lesson.seed(), gap.to_bits(), i).next_1d();
-            let out = (gap * (2.0 - gap)).max(0.0).sqrt();
-            let n = [out * turn.cos(), out * turn.sin(), gap - 1.0].map(R::from_f64);
-            let (x, y) = basis(n);
-            let v = [x, y, n].map(|v| DVec3::from_array(v.map(R::to_f64)));
-            let off = |i: usize, j: usize| (v[i].dot(v[j]) - f64::from(u8::from(i == j))).abs();
-            tally.error(
-                (0..3).flat_map(|i| (i..3).map(move |j| (i, j))).map(|(i, j)| off(i, j)).fold(0.0, f64::max),
-            );
-        }
-        tally.worst_at(gap)
-    })
-}
-
-/// Angles [rad] between a transformed normal and the square to the transformed surface, under ever wider stretches.
-fn tilts(
-    lesson: &Lesson,
-    stretches: &[f64],
-    count: u32,
-    normal: fn(&DMat3, DVec3) -> Option<DVec3>,
-) -> Series {
-    Series::over(stretches, |s| {
-        let mut tally = Tally::new();
-        for i in 0..count {
-            let mut dice = Sampler::new(lesson.seed(), s.to_bits(), i);
-            let n = uniform_sphere(dice.next_2d());
-            let turned = rotation_about(uniform_sphere(dice.next_2d()), TAU * dice.next_1d())
-                .unwrap_or(DMat3::IDENTITY);
-            let m = turned * DMat3::from_diagonal(dvec3(1.0, 1.0 / s, 1.0));
-            // Two tangents, sent along as the displacements that they are, span the transformed surface.
-            let frame = Frame::around(n);
-            let square = (m * frame.right).cross(m * frame.up).normalize();
-            tally.error(
-                normal(&m, n).map_or(f64::NAN, |n| n.cross(square).length().atan2(n.dot(square).abs())),
-            );
-        }
-        tally.worst_at(s)
-    })
-}
-
-/// The largest difference between a unit vector turned by quaternion, and by matrix.
-fn quaternions_agree(seed: u64, count: u32) -> f64 {
-    let apart = |i| {
-        let mut dice = Sampler::new(seed, 7, i);
-        let (axis, v, angle) =
-            (uniform_sphere(dice.next_2d()), uniform_sphere(dice.next_2d()), TAU * dice.next_1d());
-        let matrix = rotation_about(axis, angle).unwrap_or(DMat3::IDENTITY);
-        (DQuat::from_axis_angle(axis.normalize(), angle) * v - matrix * v).length()
-    };
-    (0..count).map(apart).fold(0.0, f64::max)
 }

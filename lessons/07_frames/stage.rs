@@ -100,7 +100,7 @@ fn gathering() -> Scene {
         dvec3(0.0, 6.4, 12.0),
         dvec3(0.0, 0.55, 0.1),
         DVec3::Y,
-        FieldOfView::Vertical(25f64.to_radians()),
+        FieldOfView::Vertical(28.5f64.to_radians()),
     );
     let mut scene = Scene::new(camera.expect("a camera in its place"));
     let matt = |diffuse| Material { diffuse, specular: DVec3::ZERO, ..Material::default() };

@@ -123,7 +123,8 @@ impl ConvexPolyhedron {
     }
 
     fn clip<T: Scalar>(&self, o: DVec3, d: DVec3) -> Result<Option<(Crossing, Crossing)>, Uncertain> {
-        let (mut enter, mut leave): (Option<(T, u32)>, Option<(T, u32)>) = (None, None);
+        let mut enter: Option<(T, u32)> = None;
+        let mut leave: Option<(T, u32)> = None;
         let direction = Vector::of(d);
         for (i, face) in self.faces.iter().enumerate() {
             let n = Vector::<T>::of(face.scaled.normal);

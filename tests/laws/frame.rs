@@ -3,8 +3,8 @@
 use glam::{DMat3, DVec2, DVec3};
 use lightbench::frame::{Frame, basis, duff, frisvad, rotation_about, transform_normal, unit};
 use lightbench::num::U;
-use lightbench::num::real::{Real, Triple};
 use lightbench::num::gamma;
+use lightbench::num::real::{Real, Triple};
 use lightbench::scene::{
     Camera, FieldOfView, camera_from_screen, ndc_from_raster, obscura_from_camera, screen_from_ndc,
 };
