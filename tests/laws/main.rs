@@ -15,6 +15,7 @@ mod local;
 mod measure;
 mod num;
 mod pinhole;
+mod polyhedron;
 mod quadrics;
 mod sample;
 mod scene_file;
