@@ -1,6 +1,7 @@
 //! Orthonormal bases, rotations, and what they do to normals [B §4, §5.3].
 
 use crate::num::certified::power_of_two_below;
+use crate::num::real::{Real, Triple};
 use glam::{DMat3, DVec3};
 
 /// Right, up and forward: unit vectors, pairwise perpendicular, `right × up = −forward`.
@@ -76,13 +77,45 @@ pub fn unit(v: DVec3) -> Option<DVec3> {
 ///
 /// - Accuracy: orthonormal to 4 u, for every direction.
 /// - Source: Duff et al., *Building an Orthonormal Basis, Revisited*, JCGT 6(1) (2017).
+#[inline]
 pub fn basis(n: DVec3) -> (DVec3, DVec3) {
-    let sign = 1.0_f64.copysign(n.z);
-    let a = -1.0 / (sign + n.z);
-    let b = n.x * n.y * a;
-    let x = DVec3::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x);
-    let y = DVec3::new(b, sign + n.y * n.y * a, -n.y);
-    (x, y)
+    let (x, y) = duff(n.to_array());
+    (DVec3::from_array(x), DVec3::from_array(y))
+}
+
+/// [`basis`] in any arithmetic: the pole at which Frisvad's fraction grows moves to the other side of the sphere,
+/// so that `|sign + z| ≥ 1`.
+///
+/// ```text
+/// a = −1/(s + z),  b = x y a,    (1 + s x² a, s b, −s x),  (b, s + y² a, −y),    s = ±1 with the sign of z
+/// ```
+#[inline]
+pub fn duff<R: Real>([x, y, z]: Triple<R>) -> (Triple<R>, Triple<R>) {
+    let one = R::from_f64(1.0);
+    let sign = one.with_sign_of(z);
+    let a = -one / (sign + z);
+    let b = x * y * a;
+    ([one + sign * x * x * a, sign * b, -(sign * x)], [b, sign + y * y * a, -y])
+}
+
+/// The basis that [`basis`] replaced: one fraction for all directions, and a patch at its pole.
+///
+/// ```text
+/// a = 1/(1 + z),  b = −x y a,    (1 − x² a, b, −x),  (b, 1 − y² a, −y)
+/// ```
+///
+/// - Domain: unit vectors; for `z < −0.9999999` it answers `(0, −1, 0), (−1, 0, 0)` whatever x and y are.
+/// - Accuracy: `1 + z` keeps an absolute error of u, so that the basis is orthonormal to about `u/(1 + z)` only: in `f32`,
+///   just before the patch, to 0.5. Within the patch it is off by `√(2 (1 + z))`.
+/// - Source: Frisvad, *Building an Orthonormal Basis from a 3D Unit Vector Without Normalization*, J. Graphics Tools 16(3) (2012).
+pub fn frisvad<R: Real>([x, y, z]: Triple<R>) -> (Triple<R>, Triple<R>) {
+    let (zero, one) = (R::ZERO, R::from_f64(1.0));
+    if z < R::from_f64(-0.999_999_9) {
+        return ([zero, -one, zero], [-one, zero, zero]);
+    }
+    let a = one / (one + z);
+    let b = -(x * y * a);
+    ([one - x * x * a, b, -x], [b, one - y * y * a, -y])
 }
 
 /// The matrix that turns by `angle` [rad] counter-clockwise about `axis` (any length but 0).

@@ -1,10 +1,19 @@
-//! The scene of lesson 01: a paper theatre, flat shapes that shine by themselves, one behind the other, so that
-//! no ray needs more than a division. And the dotted sky, to see what wide angles do.
+//! The scene of lesson 01: a paper theatre, flat shapes that shine by themselves, one behind the other, so
+//! that no ray needs more than a division. And the dotted sky, to see what wide angles do.
 
+use super::DEPTH;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use lightbench::color::{Rgb, srgb_encode};
 use lightbench::film::Image;
 use lightbench::kit::figure::Pixels;
+use lightbench::scene::pinhole::obscura_line;
+use lightbench::scene::{Camera, FieldOfView, ndc_from_raster};
+
+/// The stage stands a hair off round numbers [m], so that no pixel's centre lies on an edge, where
+/// rounding decides.
+const OFF: DVec2 = dvec2(0.00137, 0.00071);
+
+const PICTURE: (usize, usize) = (840, 600); // pixels; 7 : 5, as B's little picture
 
 /// Distance of each flat before the hole [m], and what is painted on it; nothing where it is cut away.
 type Flat = (f64, fn(DVec2) -> Option<Rgb>);
@@ -14,7 +23,7 @@ const FLATS: [Flat; 4] = [(2.0, letter), (3.2, tree), (4.0, house), (9.0, hills)
 pub fn radiance(origin: DVec3, direction: DVec3) -> Rgb {
     for (distance, painted) in FLATS {
         let t = (-distance - origin.z) / direction.z;
-        if let Some(rgb) = (t > 0.0).then(|| painted((origin + direction * t).truncate())).flatten() {
+        if let Some(rgb) = (t > 0.0).then(|| painted((origin + direction * t).truncate() + OFF)).flatten() {
             return rgb;
         }
     }
@@ -61,12 +70,39 @@ fn hills(p: DVec2) -> Option<Rgb> {
     (p.y < crest).then_some(meadow).or(sun.then_some(dvec3(1.0, 0.93, 0.55)))
 }
 
+/// Half the width and height of the film [m].
+pub fn film_half() -> DVec2 {
+    DVec2::new(0.7, 0.5) * DEPTH
+}
+
+/// The film of a box with a hole without width, as somebody inside sees it who looks towards the scene.
+pub fn on_film() -> Image {
+    let size = dvec2(PICTURE.0 as f64, PICTURE.1 as f64);
+    Image::from_fn(PICTURE.0, PICTURE.1, |i, j| {
+        let ndc = ndc_from_raster(dvec2(i as f64, j as f64) + 0.5, size);
+        let film = film_half() * dvec2(2.0 * ndc.x - 1.0, 1.0 - 2.0 * ndc.y);
+        let (_, direction) = obscura_line(film, DVec2::ZERO, DEPTH);
+        radiance(DVec3::ZERO, direction)
+    })
+}
+
+/// The same picture by a camera: the film stands before the hole, at distance 1.
+pub fn in_window() -> Image {
+    let fov = FieldOfView::Vertical(2.0 * (film_half().y / DEPTH).atan());
+    let camera = Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, fov).expect("a camera in its place");
+    Image::from_fn(PICTURE.0, PICTURE.1, |i, j| {
+        let ray = camera.ray(dvec2(i as f64, j as f64) + 0.5, PICTURE.0, PICTURE.1);
+        radiance(ray.origin, ray.direction)
+    })
+}
+
 /// A sky with round dots every 15° of latitude and longitude, 5° in radius: the same solid angle each.
 pub fn dotted_sky(direction: DVec3) -> Rgb {
     let d = direction.normalize();
     let step = 15f64.to_radians();
     let latitude = (d.y.asin() / step).round() * step;
-    let apart = step / latitude.cos().max(0.1); // dots of a circle of latitude stand as far apart as elsewhere
+    // Dots of a circle of latitude stand as far apart as elsewhere.
+    let apart = step / latitude.cos().max(0.1);
     let longitude = (d.x.atan2(-d.z) / apart).round() * apart;
     let (sin, cos) = latitude.sin_cos();
     let center = dvec3(cos * longitude.sin(), sin, -cos * longitude.cos());

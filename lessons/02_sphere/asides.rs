@@ -1,14 +1,16 @@
 //! Side questions of lesson 02: where each method fails, what early exits save, what the printed listings lose.
 
-use super::{Line, RADIUS, WIDEST, figures, judge, line_at, lines, rounded};
+use super::{Line, RADIUS, WIDEST, figures, line_at, lines};
 use lightbench::kit::figure::{Axis, FailureMap, Figure};
 use lightbench::kit::lesson::Lesson;
-use lightbench::measure::{Spread, Tally, time_each};
+use lightbench::measure::{Spread, Tally, timed};
 use lightbench::num::counted::{Counted, count};
-use lightbench::num::real::Triple;
+use lightbench::num::real::{Real, Triple};
 use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::shape::sphere::as_printed;
 use lightbench::shape::sphere::method::{self, Pair, algebraic, geometric, in_front, robust};
+use lightbench::shape::sphere::reference::Meeting;
+use std::hint::black_box;
 
 const MAP: std::ops::Range<f64> = 1.0..1.0e8; // distance/radius
 
@@ -40,6 +42,13 @@ pub fn failure_map(
     figures::failure_words(map, name, nearest)
 }
 
+/// Time per ray [s]: median and quartiles of 101 runs, each long enough for the clock and too short to be interrupted often.
+pub fn time_per_ray<T>(rays: usize, work: impl Fn() -> T) -> Spread {
+    let repeats = 4096 / rays.max(1) + 1;
+    let run = |_| timed(|| (0..repeats).for_each(|_| drop(black_box(work())))).0 / (repeats * rays) as f64;
+    Spread::median(&(0..101).map(run).collect::<Vec<f64>>()).unwrap_or(Spread::exact(0.0))
+}
+
 /// What a way to the first meeting costs per ray.
 pub struct Cost {
     pub name: &'static str,
@@ -59,7 +68,7 @@ pub fn savings(seed: u64) -> [Cost; 5] {
             name,
             operations: done.total() as f64 / n,
             roots: done.roots as f64 / n,
-            time: time_each(lines.len(), plain),
+            time: time_per_ray(lines.len(), plain),
         }
     };
     macro_rules! way {
@@ -98,4 +107,19 @@ pub fn losses(seed: u64, rays: u32) -> Vec<(&'static str, [usize; 4], u32)> {
         [lost(s, &plain, 1.0), lost(s, &plain, 1.0e-4), lost(s, &inside, 1.0), lost(s, &tangent, 1.0)]
     };
     ways.into_iter().map(|(name, solve)| (name, sets(solve), rays)).collect()
+}
+
+/// The line as a machine of type `R` holds it: this, not the line that was meant, is what a method answers for.
+pub fn rounded<R: Real>((f, d): &Line<f64>) -> Line<R> {
+    (f.map(R::from_f64), d.map(R::from_f64))
+}
+
+/// The answer and the truth about one line: none of both, one of both, or the error of t₀ [radii].
+pub fn judge<R: Real>(tally: &mut Tally, (f, d): Line<R>, found: Option<R>) {
+    let truth = Meeting::of(f.map(R::to_f64), d.map(R::to_f64), RADIUS);
+    let found = found.map(R::to_f64);
+    match found.and_then(|t| truth.behind_first(t)) {
+        Some(behind) => tally.error(behind / RADIUS),
+        None => tally.answer(found, truth.half_chord),
+    }
 }

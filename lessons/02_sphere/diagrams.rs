@@ -66,7 +66,7 @@ fn parametric() -> Figure {
         .hidden(&[o, foot, p])
         .path(Light::Other, &arc(0.0, theta, &|t| on(t, phi) * 0.42))
         .name("θ")
-        .path(Light::Transmitted, &arc(0.0, phi, &|t| on(std::f64::consts::FRAC_PI_2, t) * 0.42))
+        .path(Light::Transmitted, &arc(0.0, phi, &|t| on(std::f64::consts::FRAC_PI_2, t) * 0.6))
         .name("φ")
         .spot(Light::Incident, p)
         .name("p(θ, φ)")
@@ -361,13 +361,14 @@ pub fn worked_examples(lesson: &Lesson) -> Result {
         "2, inside: C prints",
         "this run",
     ])
-    .title("Both of C's examples come out as printed, but for its rounding on the way")
+    .title("C's two examples come out as printed, but for its roundings")
     .subtitle(
         "f = R_{0} − S_{c}; example 1 f = (−2, −2, −6), S_{r} = 3; example 2 f = (−1, −3, −1), S_{r} = 4",
     );
     lesson.say("C's two examples, step by step (printed there | this run):");
     for (i, step) in steps.iter().enumerate() {
         table = table.row(&[step, printed[0][i], &found[0][i], printed[1][i], &found[1][i]]);
+        let step = plain(step);
         println!(
             "  {step:<18} {:<26} {:<32} {:<26} {}",
             printed[0][i], found[0][i], printed[1][i], found[1][i]

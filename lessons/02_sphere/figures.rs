@@ -22,22 +22,33 @@ pub fn sci(x: f64) -> String {
 
 type Contest = [(Method, Series)];
 
+/// Root-mean-square error of a contestant at a distance of `10^exponent` radii.
+pub fn error_at(series: &Series, exponent: i32) -> f64 {
+    let point = series.points.iter().find(|p| p.parameter == 10f64.powi(exponent));
+    point.and_then(|p| p.error).map_or(f64::NAN, |e| e.mid)
+}
+
+/// `[low, high]` of the distances.
+pub fn between(series: &Series, low: f64, high: f64) -> Series {
+    Series::new(series.points.iter().filter(|p| p.parameter >= low && p.parameter <= high).cloned().collect())
+}
+
 /// The headline: error of t against time.
 pub fn speed(contest: &Contest, costs: &[Cost; 5], rays: u32) -> Figure {
     // Measured seconds stay out of the words, which must repeat from run to run; the axis has them.
-    let gain = super::error_at(&contest[2].1, 6) / super::error_at(&contest[0].1, 6);
+    let gain = error_at(&contest[2].1, 6) / error_at(&contest[0].1, 6);
     let price = costs[4].operations / costs[0].operations;
     let mut chart = Chart::speed_accuracy("error of t_{0}, radii (root mean square)")
         .x(Axis::time("time per ray"))
-        .title(&format!("At 10⁶ radii robust is {} × as accurate as the quadratic, for {price:.1} × the work", sci(gain)))
+        .title(&format!("At 10⁶ radii robust is {} × as accurate, for {price:.1} × the operations", sci(gain)))
         .subtitle(&format!(
-            "up each line: distance/radius 10², 10⁴, 10⁶; {rays} rays each within 0.9 r; median time of nine runs over all"
+            "up each line: distance/radius 10², 10⁴, 10⁶; {rays} rays each within 0.9 r; median time of 101 runs over all"
         ));
     for (method, series) in contest {
         chart = chart.line(method.clone(), series);
     }
     Figure::from(chart).caption(
-        "Speed against accuracy: three methods in two precisions, each at three distances. Time is the median of nine runs with \
+        "Speed against accuracy: three methods in two precisions, each at three distances. Time is the median of 101 runs with \
          quartiles; an error of 1 radius means that the sphere is lost.",
     )
 }
@@ -62,7 +73,7 @@ pub fn stability(contest: &Contest, rays: u32) -> Figure {
 }
 
 pub fn failure_words(map: FailureMap, name: &str, nearest: f64) -> Figure {
-    let title = format!("{name} in f32 keeps every ray within 0.9 r as far as {} radii", sci(nearest));
+    let title = format!("{name} in f32 loses its first ray within 0.9 r at {} radii", sci(nearest));
     let map = map.failing("lost").title(&title).subtitle(
         "sixteen rays a cell, median error; hatched: one of them missed, falsely hit, or off by a radius; above 1: rightly no hit",
     );
@@ -78,7 +89,7 @@ pub fn normals(size: usize) -> Figure {
     type Solve = fn(Triple<f32>, Triple<f32>, f32) -> Pair<f32>;
     let mut panels = Panels::new()
         .columns(4)
-        .title("At 1000 radii the quadratic frays the rim, at 3000 it hardly sees a sphere; robust does")
+        .title("At 1000 radii the quadratic frays, at 3000 it is lost; robust is not")
         .subtitle(
             "normals as colours, f32, field of view matched to the distance; above: algebraic, below: robust",
         );
@@ -90,7 +101,7 @@ pub fn normals(size: usize) -> Figure {
     }
     Figure::from(panels.alt(
         "Eight pictures of a ball coloured by its normals. The lower row, robust, is the same smooth disc at 100, 1000, 3000 and \
-         10000 radii. The upper row, algebraic, is smooth at 100, frayed along the rim at 1000, a haze beyond the rim at 3000.",
+         10000 radii. The upper row, algebraic, is smooth at 100, frayed along the rim at 1000, a haze beyond the rim at 3000, and no disc at all at 10000.",
     ))
     .caption("A sphere coloured by its normals, through longer and longer lenses, in f32: what each method leaves of it.")
 }
@@ -125,13 +136,13 @@ pub fn savings(costs: &[Cost; 5]) -> Figure {
     let mut table = Table::new(&["First meeting by", "operations", "square roots", "ns per ray", "quartiles", "time, ratio"])
         .timed()
         .title(&format!(
-            "C's early exit saves {:.1} operations of {:.1} a ray, B's d² test {:.1} of {:.1} square roots",
+            "C's exit saves {:.1} of {:.1} operations a ray, B's test {:.1} of {:.1} roots",
             costs[0].operations - costs[1].operations,
             costs[0].operations,
             costs[2].roots - costs[3].roots,
             costs[2].roots
         ))
-        .subtitle("f64, 1024 rays from 100 radii, every second one misses; counts repeat, times are medians of nine runs");
+        .subtitle("f64, 1024 rays from 100 radii, every second one misses; counts repeat, times are medians of 101 runs");
     for (i, cost) in costs.iter().enumerate() {
         let ns = |s: f64| format!("{:.2}", s * 1.0e9);
         let against = [0, 0, 2, 2, 0][i];

@@ -80,8 +80,8 @@ impl Neg for Counted {
 }
 
 impl Real for Counted {
-    const ROUNDOFF: f64 = <f64 as Real>::ROUNDOFF;
     const ZERO: Self = Counted(0.0);
+    const ROUNDOFF: f64 = super::U;
     fn from_f64(x: f64) -> Self {
         Counted(x)
     }

@@ -4,7 +4,7 @@ use super::{Cell, Row, RowError, Topic};
 use crate::ray::{Crossing, Ray};
 use crate::shape::cylinder::FarEnd;
 use crate::shape::quadric::{Coefficients, Quadric};
-use crate::shape::triangle::{Facing, Meeting, ShearedRay, Triangle};
+use crate::shape::triangle::{Facing, Meeting, PreparedRay, Triangle};
 use crate::shape::{Shape, ShapeError, Sides, cone, cylinder, disc, quadric, triangle};
 use glam::DVec3;
 
@@ -66,7 +66,7 @@ fn ray_triangle(row: &Row, method: &str) -> Result<Vec<Cell>, RowError> {
                 Err(ShapeError::NoArea { .. }) => return Ok(meeting_cells(false, None)),
                 Err(e) => return Err(rejected(row, "v0x", e)),
             };
-            let sheared = ShearedRay::new(&ray);
+            let sheared = PreparedRay::new(&ray);
             match shape.meet(&sheared) {
                 Some(m) => Some(m),
                 None => return Ok(meeting_cells(false, sheared.meet_plane(corners))),

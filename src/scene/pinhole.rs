@@ -4,10 +4,10 @@
 //! at `z = depth`. All lengths share one unit.
 
 use glam::{DVec2, DVec3};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{PI, TAU};
 
 /// Diameter of the first dark ring of a round hole's diffraction pattern, over `λ · depth / hole`.
-const AIRY: f64 = 2.4393; // 2 · 3.8317/π, the first zero of J₁
+const AIRY: f64 = 2.0 * 3.831_705_970_207_512 / PI; // the first zero of J₁; 2.44 in round numbers
 
 /// The line of light that ends at `film` and has passed the hole at `hole`, backwards: its origin on
 /// the film, and its direction towards the scene, of length `≥ depth`. The inverse of
@@ -38,22 +38,23 @@ pub fn hole_solid_angle(radius: f64, distance: f64) -> f64 {
     if tan2 == f64::INFINITY { TAU } else { TAU * (tan2 / (1.0 + tan2 + (1.0 + tan2).sqrt())) }
 }
 
-/// Share of the light which leaves a matt disc that arrives at another on the same axis, facing it at `distance`.
+/// Share of a matt disc's light that arrives at another disc on the same axis, facing it at `distance`.
 ///
 /// ```text
-/// F = 2 b² / (S + √((S − 2ab)(S + 2ab))),   S = a² + b² + 1,   a = from/distance, b = to/distance
+/// F = 2 b² / (S + √((S − 2ab)(S + 2ab))),   S = a² + b² + h²,   a = from, b = to, h = distance
 /// ```
 ///
 /// The irradiance of a film disc by a hole that shows nothing but radiance `L` is `π L F(film → hole)`.
 ///
-/// - Domain: `from > 0`, `to ≥ 0`, `distance > 0`. A point (`from → 0`) receives `b²/(b² + 1)`.
-/// - Accuracy: relative error ≤ `num::gamma(14)`: `S − 2ab = (a − b)² + 1` has no cancellation.
+/// - Domain: `from > 0`, `to ≥ 0`, `distance > 0`. From a point (`from → 0`) `b²/(b² + h²)` arrive.
+/// - Accuracy: relative error ≤ `num::gamma(24)`: in `S − 2ab = (a − b)² + h²` the one subtraction acts on
+///   inputs. Lengths are taken relative to the largest, so that no square overflows.
 /// - NaN in, NaN out.
 /// - Source: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-41.
 pub fn coaxial_discs_share(from: f64, to: f64, distance: f64) -> f64 {
-    let (a, b) = (from / distance, to / distance);
-    let root = (((a - b) * (a - b) + 1.0) * ((a + b) * (a + b) + 1.0)).sqrt();
-    2.0 * b * b / (a * a + b * b + 1.0 + root)
+    let largest = from.max(to).max(distance);
+    let (a, b, h) = (from / largest, to / largest, distance / largest);
+    2.0 * b * b / (a * a + b * b + h * h + (a - b).hypot(h) * (a + b).hypot(h))
 }
 
 /// Diameter on the film of the spot that a point at `distance` makes through a hole of that diameter.
@@ -64,7 +65,7 @@ pub fn coaxial_discs_share(from: f64, to: f64, distance: f64) -> f64 {
 ///
 /// - Domain: `distance > 0`, also infinite: a star's spot is as wide as the hole.
 pub fn shadow_blur(hole: f64, depth: f64, distance: f64) -> f64 {
-    hole * (1.0 + depth / distance)
+    hole + hole * depth / distance
 }
 
 /// Diameter on the film of the first dark ring round a point, spread by diffraction.
@@ -106,7 +107,7 @@ pub fn sharpest_hole(depth: f64, distance: f64, wavelength: f64) -> f64 {
 /// Pixels of equal area see the less, the farther from the axis.
 ///
 /// - Domain: all numbers; 1 on the axis, 0 at infinity.
-/// - Source: [A §6.3.3.3] has one power less (see the errata).
+/// - Source: a plane element seen at `θ`: `cos θ / r²` with `r = 1/cos θ`. [A §6.3.3.3] prints `cos θ`.
 pub fn solid_angle_density(screen: DVec2) -> f64 {
     let r2 = 1.0 + screen.length_squared();
     1.0 / (r2 * r2.sqrt())
@@ -118,15 +119,10 @@ pub fn solid_angle_density(screen: DVec2) -> f64 {
 /// Ω = G(x₁,y₁) − G(x₀,y₁) − G(x₁,y₀) + G(x₀,y₀),    G(x,y) = atan(x y / √(1 + x² + y²))
 /// ```
 ///
-/// - Domain: `min ≤ max` in both coordinates; the whole plane has `2π`.
+/// - Domain: finite, `min ≤ max` in both coordinates; a growing rectangle tends to `2π`.
 /// - Accuracy: absolute error a few roundings of 1; small rectangles far from 0 lose digits to cancellation,
 ///   and [`solid_angle_density`] serves them.
 pub fn rectangle_solid_angle(min: DVec2, max: DVec2) -> f64 {
-    let g = |x: f64, y: f64| {
-        if x.is_infinite() && y.is_infinite() {
-            return FRAC_PI_2 * x.signum() * y.signum();
-        }
-        (x * y).atan2((1.0 + x * x + y * y).sqrt())
-    };
+    let g = |x: f64, y: f64| (x * (y / x.hypot(y).hypot(1.0))).atan();
     (g(max.x, max.y) - g(min.x, max.y)) - (g(max.x, min.y) - g(min.x, min.y))
 }

@@ -8,6 +8,7 @@ pub mod fan;
 pub mod instance;
 pub mod plane;
 pub mod polygon;
+pub mod polyhedron;
 pub mod quadric;
 pub mod sphere;
 pub mod torus;
@@ -40,6 +41,10 @@ pub enum ShapeError {
     Flat { what: &'static str },
     #[error("torus: expected ring radius > tube radius > 0, found ring {ring} and tube {tube}")]
     NotARing { ring: f64, tube: f64 },
+    #[error("{what}: expected half-spaces with a common volume, found none")]
+    NoVolume { what: &'static str },
+    #[error("{what}: expected half-spaces that enclose a bounded volume, found one that runs to infinity")]
+    Unbounded { what: &'static str },
     #[error("polygon: expected at least 3 vertices, found {found}")]
     TooFewVertices { found: usize },
     #[error("polygon: expected vertices within {allowed} of one plane, found one at {found}")]

@@ -9,9 +9,10 @@ use lightbench::shape::disc::Disc;
 use lightbench::shape::plane::Plane;
 use lightbench::shape::polygon::Polygon;
 use lightbench::shape::triangle::{
-    Facing, ShearedRay, Triangle, interpolated_normal, moller_trumbore, plane_and_areas, terminator_point,
+    Facing, PreparedRay, Triangle, icosphere, interpolated_normal, moller_trumbore, plane_and_areas,
+    terminator_point,
 };
-use lightbench::shape::{Shape, ShapeError, Sides};
+use lightbench::shape::{Shape, ShapeError, Sides, triangle};
 use proptest::prelude::*;
 use proptest::test_runner::Config;
 use rayon::prelude::*;
@@ -136,37 +137,48 @@ fn front_sides_answer_only_rays_against_the_normal() {
     }
 }
 
-/// Icosahedron, each triangle split in four `levels` times, corners on the unit sphere.
-fn icosphere(levels: u32) -> Vec<[DVec3; 3]> {
-    let g = 0.5 + 1.25f64.sqrt();
-    let corner = |i: usize| {
-        let (a, b) = ([1.0, -1.0][i % 2], [g, -g][i / 2 % 2]);
-        DVec3::from_array([[0.0, a, b], [a, b, 0.0], [b, 0.0, a]][i / 4]).normalize()
-    };
-    let mut faces = Vec::new();
-    let near = |a: DVec3, b: DVec3| (a - b).length() < 1.1;
-    for i in 0..12 {
-        for j in i + 1..12 {
-            for k in j + 1..12 {
-                let [a, b, c] = [corner(i), corner(j), corner(k)];
-                if near(a, b) && near(b, c) && near(c, a) {
-                    let outwards = (b - a).cross(c - a).dot(a) > 0.0;
-                    faces.push(if outwards { [a, b, c] } else { [a, c, b] });
-                }
-            }
-        }
-    }
-    for _ in 0..levels {
-        let half = |a: DVec3, b: DVec3| (a + b).normalize();
-        faces = faces
+/// Every edge belongs to two faces, which run along it in opposite ways; corners are equal to the bit.
+#[test]
+fn the_icosphere_is_closed() {
+    let bits = |v: DVec3| v.to_array().map(f64::to_bits);
+    for levels in 0..=3 {
+        let faces = icosphere(levels);
+        assert_eq!(faces.len(), 20 << (2 * levels));
+        let edges: std::collections::HashSet<_> = faces
             .iter()
-            .flat_map(|&[a, b, c]| {
-                let (ab, bc, ca) = (half(a, b), half(b, c), half(c, a));
-                [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-            })
+            .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)].map(|(p, q)| (bits(p), bits(q))))
             .collect();
+        assert_eq!(edges.len(), 3 * faces.len(), "an edge twice in the same way");
+        assert!(edges.iter().all(|&(p, q)| edges.contains(&(q, p))), "an open edge");
+        assert!(
+            faces.iter().all(|[a, b, c]| (*b - *a).cross(*c - *a).dot(*a) > 0.0),
+            "a face turned inwards"
+        );
     }
-    faces
+}
+
+/// Hit or miss does not depend on the unit of length; the printed test's answer does.
+///
+/// The target misses its plane by some 8 u of the size, which at a slant of 10⁻⁶ moves `t` by 8 u · 10⁶ ≈ 10⁻⁹.
+#[test]
+fn triangles_are_met_at_every_size() {
+    let printed = |k: i32| {
+        let scale = 2f64.powi(k);
+        let [a, b, c] = CORNERS.map(|v| v * scale);
+        let target = (a + b + c) / 3.0;
+        let normal = Triangle::new(a, b, c).unwrap().normal();
+        for slant in [0.0, 0.9, 0.999_999] {
+            let way = -normal * (1.0 - slant) + (b - a).normalize() * slant;
+            let ray = Ray::new(target - way * scale, way);
+            let m = PreparedRay::new(&ray).meet([a, b, c]).unwrap();
+            assert!((m.t / scale - 1.0).abs() <= 1e-9, "2^{k}, {slant}: {m:?}");
+        }
+        triangle::as_printed(&Ray::new(target + normal * scale, -normal), [a, b, c], Sides::Both).is_some()
+    };
+    assert_eq!(
+        [-300, -100, -20, 0, 20, 100, 300].map(printed),
+        [false, false, false, true, true, true, true]
+    );
 }
 
 /// Numbers in [0,1) from a counter (Steele, Lea & Flood's SplitMix64).
@@ -199,7 +211,7 @@ fn a_closed_mesh_does_not_leak() {
             // Every other ray starts in the middle, and every sixth then points exactly at a corner.
             let spread = if i % 2 == 0 { 0.0 } else { 0.8 };
             let origin = DVec3::new(hashed(i, 2) - 0.5, hashed(i, 3) - 0.5, hashed(i, 4) - 0.5) * spread;
-            let ray = ShearedRay::new(&Ray::new(origin, target - origin));
+            let ray = PreparedRay::new(&Ray::new(origin, target - origin));
             !touching[face].iter().any(|&g| ray.meet(faces[g]).is_some_and(|m| m.t > 0.0))
         })
         .count();
@@ -220,7 +232,7 @@ fn moller_trumbore_leaks_at_edges() {
     let lost: Vec<Ray> = (0..100_000).map(through).filter(|(hit, _)| !hit).map(|(_, ray)| ray).collect();
     assert!(!lost.is_empty());
     for ray in lost {
-        let ray = ShearedRay::new(&ray);
+        let ray = PreparedRay::new(&ray);
         assert!(ray.meet([a, b, c]).or(ray.meet([b, a, d])).is_some());
     }
 }
@@ -251,7 +263,7 @@ proptest! {
     #[test]
     fn a_polygon_is_the_sum_of_its_triangles(ray in crate::shapes::rays()) {
         let polygon = Polygon::new(ARROW.to_vec()).unwrap();
-        let sheared = ShearedRay::new(&ray);
+        let sheared = PreparedRay::new(&ray);
         let halves = [[ARROW[0], ARROW[1], ARROW[2]], [ARROW[0], ARROW[2], ARROW[3]]];
         let met = halves.iter().find_map(|&half| sheared.meet(half)).filter(|m| m.t > 0.0);
         let found = polygon.nearest(&ray, 0.0, f64::INFINITY);
@@ -265,12 +277,12 @@ proptest! {
     /// 1/cos and 1000 lengths, hence the 10⁻⁹.
     #[test]
     fn three_ways_to_meet_a_triangle_agree(ray in crate::shapes::rays()) {
-        let Some(m) = ShearedRay::new(&ray).meet_plane(CORNERS) else { return Ok(()) };
+        let Some(m) = PreparedRay::new(&ray).meet_plane(CORNERS) else { return Ok(()) };
         prop_assume!(m.b.iter().all(|b| b.abs() > 1e-9));
         let slant = ray.direction.normalize().dot(Triangle::new(CORNERS[0], CORNERS[1], CORNERS[2]).unwrap().normal());
         prop_assume!(slant.abs() > 1e-3);
         let inside = m.b.iter().all(|&b| b > 0.0);
-        let sheared = ShearedRay::new(&ray).meet(CORNERS);
+        let sheared = PreparedRay::new(&ray).meet(CORNERS);
         for found in [moller_trumbore(&ray, CORNERS), plane_and_areas(&ray, CORNERS), sheared] {
             prop_assert_eq!(found.is_some(), inside);
             if let Some(f) = found {
@@ -284,7 +296,7 @@ proptest! {
     #[test]
     fn corners_may_be_renamed(ray in crate::shapes::rays()) {
         let [a, b, c] = CORNERS;
-        let sheared = ShearedRay::new(&ray);
+        let sheared = PreparedRay::new(&ray);
         let met = sheared.meet([a, b, c]);
         let turned = sheared.meet([b, c, a]);
         let flipped = sheared.meet([b, a, c]);

@@ -1,8 +1,10 @@
 //! Frames, rotations, normals, cameras.
 
 use glam::{DMat3, DVec2, DVec3};
-use lightbench::frame::{Frame, rotation_about, transform_normal, unit};
+use lightbench::frame::{Frame, basis, duff, frisvad, rotation_about, transform_normal, unit};
+use lightbench::num::U;
 use lightbench::num::gamma;
+use lightbench::num::real::{Real, Triple};
 use lightbench::scene::{
     Camera, FieldOfView, camera_from_screen, ndc_from_raster, obscura_from_camera, screen_from_ndc,
 };
@@ -113,4 +115,63 @@ fn impossible_cameras_are_refused() {
     for degrees in [0.0, -1.0, 180.0, 360.0, f64::NAN, f64::INFINITY] {
         assert!(camera(DVec3::NEG_Z, degrees).is_err(), "{degrees}");
     }
+}
+
+/// How far three vectors are from orthonormal, in `f64`.
+fn defect<R: Real>(x: Triple<R>, y: Triple<R>, n: Triple<R>) -> f64 {
+    let v = [x, y, n].map(|v| DVec3::from_array(v.map(R::to_f64)));
+    let off = |i: usize, j: usize| (v[i].dot(v[j]) - if i == j { 1.0 } else { 0.0 }).abs();
+    (0..3).flat_map(|i| (i..3).map(move |j| (i, j))).map(|(i, j)| off(i, j)).fold(0.0, f64::max)
+}
+
+/// `z = −1 + gap`, at that turn about the axis.
+fn near_the_pole<R: Real>(gap: f64, turn: f64) -> Triple<R> {
+    let (sin, cos) = turn.sin_cos();
+    let out = (gap * (2.0 - gap)).sqrt();
+    [out * cos, out * sin, gap - 1.0].map(R::from_f64)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// A rounded direction has a length within 2 u of 1, which the basis inherits a few times.
+    #[test]
+    fn duffs_basis_is_orthonormal_at_every_pole(exponent in -20.0..0.3f64, turn in 0.0..std::f64::consts::TAU) {
+        let n: Triple<f32> = near_the_pole(10f64.powf(exponent), turn);
+        let (x, y) = duff(n);
+        prop_assert!(defect(x, y, n) <= 16.0 * f32::ROUNDOFF);
+        let n: Triple<f64> = near_the_pole(10f64.powf(exponent), turn);
+        let (x, y) = duff(n);
+        prop_assert!(defect(x, y, n) <= 16.0 * U);
+        prop_assert_eq!(basis(n.into()), (x.into(), y.into()));
+    }
+
+    /// On the half without the pole both are the same formula.
+    #[test]
+    fn frisvads_basis_is_duffs_on_the_upper_half(v in vector()) {
+        if let Some(n) = unit(v).filter(|n| n.z >= 0.0 && n.z.is_sign_positive()) {
+            let (a, b) = (frisvad(n.to_array()), duff(n.to_array()));
+            prop_assert!((DVec3::from(a.0) - DVec3::from(b.0)).length() <= 4.0 * U);
+            prop_assert!((DVec3::from(a.1) - DVec3::from(b.1)).length() <= 4.0 * U);
+        }
+    }
+
+    /// `n` of length `1 + e` gives a defect of about `2 e/(1 + z)`; `e` is 2 u and the fraction rounds some more.
+    #[test]
+    fn frisvads_basis_errs_by_u_over_the_gap(exponent in -6.5..0.0f64, turn in 0.0..std::f64::consts::TAU) {
+        let gap = 10f64.powf(exponent);
+        let n: Triple<f64> = near_the_pole(gap, turn);
+        let (x, y) = frisvad(n);
+        prop_assert!(defect(x, y, n) <= 16.0 * U / gap);
+    }
+}
+
+/// In `f32`, just before Frisvad's patch, hardly a digit is left.
+#[test]
+fn frisvads_basis_loses_its_digits_at_the_pole() {
+    let worst = |basis: fn(Triple<f32>) -> (Triple<f32>, Triple<f32>)| {
+        let each = |k: i32| near_the_pole(1.5e-7, f64::from(k) * 0.01);
+        (0..628).map(|k| (each(k), basis(each(k)))).map(|(n, (x, y))| defect(x, y, n)).fold(0.0, f64::max)
+    };
+    assert!(worst(frisvad) > 0.1 && worst(duff) < 1e-6);
 }

@@ -4,7 +4,9 @@
 mod support;
 
 mod film;
+mod pinhole;
 mod sample;
+mod sphere;
 mod statistics;
 mod surfaces;
 mod tables;

@@ -10,7 +10,7 @@ use lightbench::shape::cone::{Cone, Ends};
 use lightbench::shape::cylinder::{self, Cylinder, FarEnd};
 use lightbench::shape::disc::Disc;
 use lightbench::shape::quadric::{self, Coefficients, Quadric};
-use lightbench::shape::triangle::{self, Facing, ShearedRay, Triangle};
+use lightbench::shape::triangle::{self, Facing, PreparedRay, Triangle};
 use lightbench::shape::{Shape, Sides, cone, disc};
 use std::collections::HashMap;
 
@@ -222,7 +222,7 @@ fn triangles_are_right_in_every_row_and_do_not_leak() {
     let rows = table("ray_triangle");
     let meet = |row: &Row| {
         let [a, b, c] = corners(row);
-        Triangle::new(a, b, c).ok()?.meet(&ShearedRay::new(&row.ray()))
+        Triangle::new(a, b, c).ok()?.meet(&PreparedRay::new(&row.ray()))
     };
     let tally = Tally::of(&rows, |row| triangle_is_right(row, meet(row)));
     assert!(tally.wrong == 0 && tally.judged > 200, "{tally:?}");

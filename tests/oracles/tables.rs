@@ -93,3 +93,28 @@ fn quartics_agree_with_their_table() {
 fn quartics_agree_with_their_nasty_table() {
     all_right("quartic_roots", include_str!("../data/quartic_roots_nasty.csv"), quartic_roots);
 }
+
+/// A product sums four terms (γ₄); the unit rotation and the slerp round some 30 times relative to their size, the
+/// slerp's weights `sin(tθ)/sin θ` once more by `1/sin θ`.
+#[test]
+fn quaternions_agree_with_their_table() {
+    use glam::{DQuat, DVec3};
+    use lightbench::num::gamma;
+    let table = super::support::table::Table::read("quaternions.csv");
+    for row in table.rows() {
+        let of = |w, x, y, z| DQuat::from_xyzw(row.f64(x), row.f64(y), row.f64(z), row.f64(w));
+        let vector = |x, y, z| DVec3::new(row.f64(x), row.f64(y), row.f64(z));
+        let (a, b) = (of("aw", "ax", "ay", "az"), of("bw", "bx", "by", "bz"));
+        let (v, size) = (vector("vx", "vy", "vz"), a.length() * b.length());
+        assert!((a * b - of("pw", "px", "py", "pz")).length() <= gamma(8) * size, "{a} {b}");
+        let (a, b) = (a.normalize(), b.normalize());
+        assert!((a * v - vector("rx", "ry", "rz")).length() <= gamma(40) * v.length(), "{a} {v}");
+        let (axis, angle) = a.to_axis_angle();
+        let ours = lightbench::frame::rotation_about(axis, angle).expect("a unit axis");
+        // The angle from acos is known to u / sin(θ/2) only.
+        let turned = gamma(80) * v.length() / a.xyz().length();
+        assert!((ours * v - vector("rx", "ry", "rz")).length() <= turned, "{axis} {angle}");
+        let (slerped, sine) = (a.slerp(b, row.f64("slerp_t")), (1.0 - a.dot(b).powi(2)).sqrt());
+        assert!((slerped - of("sw", "sx", "sy", "sz")).length() <= gamma(60) / sine, "{a} {b}");
+    }
+}

@@ -15,7 +15,9 @@ use super::flags::{Flags, Quality};
 use crate::film::Image;
 use crate::film::file::{FileError, Format, encode, write_atomically};
 use clap::{CommandFactory, FromArgMatches, Parser};
+use rayon::prelude::*;
 use std::cell::RefCell;
+use std::io::Write;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
@@ -47,6 +49,11 @@ struct Cli {
     flags: Flags,
 }
 
+/// Prints a line; a reader that closed the pipe has read enough.
+fn print(text: &str) {
+    let _ = writeln!(std::io::stdout(), "{text}");
+}
+
 /// A lesson that runs.
 pub struct Lesson {
     entry: &'static Entry,
@@ -54,6 +61,8 @@ pub struct Lesson {
     out: PathBuf,
     record: RefCell<LessonRecord>,
     paths: RefCell<Vec<PathBuf>>,
+    /// Figures whose PNG is drawn at the end, all at once on all cores.
+    pending: RefCell<Vec<(PathBuf, Figure)>>,
 }
 
 impl Lesson {
@@ -67,14 +76,20 @@ impl Lesson {
         let matches = command.get_matches();
         let flags = Flags::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
         if flags.list {
-            println!("{}  {}", entry.program(), entry.question);
+            print(&format!("{}  {}", entry.program(), entry.question));
             std::process::exit(0);
         }
-        println!("Lesson {:02} · {}\n", entry.number, entry.question);
+        if let Some(threads) = flags.threads {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
+            pool.build_global()
+                .map_err(|e| LessonError::Other(format!("threads could not be started: {e}")))?;
+        }
+        print(&format!("Lesson {:02} · {}\n", entry.number, entry.question));
         let command = format!("cargo run --bin {}{}", entry.program(), flags.canonical());
         let record = LessonRecord::new(entry, command);
         let out = flags.out();
-        Ok(Lesson { entry, flags, out, record: RefCell::new(record), paths: RefCell::default() })
+        let (paths, pending) = (RefCell::default(), RefCell::default());
+        Ok(Lesson { entry, flags, out, record: RefCell::new(record), paths, pending })
     }
 
     pub fn seed(&self) -> u64 {
@@ -105,7 +120,7 @@ impl Lesson {
 
     /// Prints a paragraph of the lesson.
     pub fn say(&self, text: &str) {
-        println!("{text}\n");
+        print(&format!("{text}\n"));
     }
 
     /// Writes a figure as SVG and PNG, its data as CSV, and its words as JSON: `02_sphere_{what}.svg` and so on.
@@ -122,15 +137,16 @@ impl Lesson {
         let figure = figure.provenance(provenance);
         let timed = |repeats| if repeats == Repeats::Timed { "_time" } else { "" };
         let name = format!("{}_{what}{}", self.entry.stem(), timed(figure.repeats));
-        let mut files = vec![
-            self.write(&format!("{name}.svg"), figure.svg().as_bytes())?,
-            self.write(&format!("{name}.png"), &figure.png())?,
-        ];
+        let mut files =
+            vec![self.write(&format!("{name}.svg"), figure.svg().as_bytes())?, format!("{name}.png")];
+        self.paths.borrow_mut().push(self.out.join(&files[1]));
         for data in &figure.data {
             let name = format!("{}_{what}{}.csv", self.entry.stem(), timed(data.repeats));
             files.push(self.write(&name, data.csv.as_bytes())?);
         }
-        self.describe(&name, &figure.title, &figure.caption, &figure.alt, files)
+        self.describe(&name, &figure.title, &figure.caption, &figure.alt, files)?;
+        self.pending.borrow_mut().push((self.out.join(format!("{name}.png")), figure));
+        Ok(())
     }
 
     /// Writes a rendered picture as PNG, and its words as JSON.
@@ -157,7 +173,7 @@ impl Lesson {
 
     /// A claim: one sentence, and whether it holds in this run.
     pub fn claim(&self, sentence: &str, holds: bool) {
-        println!("{} {sentence}", if holds { "holds: " } else { "FAILS: " });
+        print(&format!("{} {sentence}", if holds { "holds: " } else { "FAILS: " }));
         self.record.borrow_mut().claims.push(ClaimRecord { sentence: sentence.to_string(), holds });
     }
 
@@ -165,12 +181,14 @@ impl Lesson {
     ///
     /// - Errors: a claim that failed, a file that cannot be written.
     pub fn answer(self, sentence: &str) -> Result {
-        println!("\nAnswer: {sentence}\n");
+        let pending = self.pending.take();
+        pending.into_par_iter().try_for_each(|(path, figure)| write_atomically(&path, &figure.png()))?;
+        print(&format!("\nAnswer: {sentence}\n"));
         self.record.borrow_mut().answer = sentence.to_string();
         let json = self.record.borrow().json();
         self.write(&format!("{}.json", self.entry.stem()), json.as_bytes())?;
         for path in self.paths.borrow().iter() {
-            println!("{}", path.display());
+            print(&path.display().to_string());
         }
         let record = self.record.borrow();
         let failed = record.claims.iter().filter(|c| !c.holds).count();

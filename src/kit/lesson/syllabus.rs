@@ -41,6 +41,38 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &["integrator", "light", "scene_file", "shape::cuboid"],
         builds_on: &[(1, "a pixel becomes a ray"), (2, "a ray meets a sphere")],
     },
+    Entry {
+        number: 4,
+        name: "flat_things",
+        question: "Which ray–triangle test lets no ray through a closed surface, and what does it cost?",
+        chapter: "Surfaces",
+        introduces: &["shape::plane", "shape::disc", "shape::polygon", "shape::triangle"],
+        builds_on: &[(2, "a ray meets a sphere"), (3, "a light, a shadow and a first picture")],
+    },
+    Entry {
+        number: 5,
+        name: "torus",
+        question: "Which quartic solver should a torus use?",
+        chapter: "Surfaces",
+        introduces: &["shape::torus", "shape::instance"],
+        builds_on: &[(2, "moving the origin saves the quadratic"), (3, "shadow rays start on surfaces")],
+    },
+    Entry {
+        number: 6,
+        name: "quadrics",
+        question: "When does the general quadric lose to a dedicated shape, in time and in digits?",
+        chapter: "Surfaces",
+        introduces: &[],
+        builds_on: &[(2, "a ray meets a sphere"), (3, "a scene, a light, a picture")],
+    },
+    Entry {
+        number: 7,
+        name: "frames",
+        question: "What does it cost to move, turn and stretch a shape, and where do frames break?",
+        chapter: "Surfaces",
+        introduces: &[],
+        builds_on: &[(1, "the camera's right, up and forward"), (6, "shapes along the axes")],
+    },
 ];
 
 impl Entry {

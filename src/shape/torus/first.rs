@@ -1,54 +1,130 @@
-//! The quick answer to the most frequent question: does a ray from outside hit, and where first?
+//! The quick answer to the most frequent questions: does a ray hit, and where first?
 //!
 //! In `c₄ s⁴ + c₂ s² + c₁ s + c₀` the stationary points are the roots of the depressed cubic
-//! `s³ + p s + q`, `p = c₂/2c₄`, `q = c₁/4c₄`, which has formulas. The signs at the minima, held against their
-//! rounding errors, tell a miss from a hit; whatever they cannot tell is left to the certified search.
+//! `s³ + p s + q`, `p = c₂/2c₄`, `q = c₁/4c₄`, which has formulas. From a start whose sign is certain, the
+//! signs at the stationary points ahead, held against their rounding errors, tell a miss from a hit;
+//! whatever they cannot tell is left to the certified search.
+//!
+//! A stationary point is known to some error only, and may be taken for ahead of the start when it lies behind. That
+//! does no harm: within that error its sign is certain, so the start next to it has the same, and no root
+//! is seen between them.
 
 use super::line::{DOUBT, Line};
 use crate::num::U;
-use crate::num::polynomial::{Bracket, Polynomial};
+use crate::num::polynomial::{Bracket, Polynomial, Sign};
+use arrayvec::ArrayVec;
 
-/// What the signs at the minima say about the first root.
+/// Where the search begins, and the certain sign of the quartic there.
+#[derive(Clone, Copy)]
+pub(super) struct Start {
+    pub s: f64,
+    pub sign: Sign,
+}
+
+/// What the signs say about the first root.
 pub(super) enum First {
     Miss,
-    /// The first root, found in `f64`, and where it is alone.
-    Root(f64, Bracket<f64>),
+    /// Where the first root is alone, and a minimum next to it.
+    Between(Bracket<f64>, f64),
     Unsure,
 }
 
-/// The first root beyond `−half`, where the quartic is positive.
-pub(super) fn first_root(line: &Line, poly: &Polynomial<f64>, half: f64) -> First {
-    let q = Quartic { c: [poly.c[0], poly.c[1], poly.c[2], poly.c[4]], half, line };
-    let (p3, q2) = (-q.c[2] / (6.0 * q.c[3]), q.c[1] / (8.0 * q.c[3]));
-    let cube = p3 * p3 * p3;
-    if p3 > 0.0 && q2 * q2 < 0.998 * cube {
-        // Two minima, s = r t with t³ − 3t + 2k = 0; |k| < 0.999 keeps them apart from the maximum.
-        let r = p3.sqrt();
-        let k = q2 / (p3 * r);
-        let left = r * leftmost(k);
-        match q.sign(left) {
-            -1 => q.descend(-half, left),
-            0 => First::Unsure,
-            _ => {
-                let right = -r * leftmost(-k);
-                match q.sign(right) {
-                    -1 => q.descend(-(left + right), right),
-                    0 => First::Unsure,
-                    _ => First::Miss,
+/// The quartic on the stretch up to `half`, where it is positive.
+pub(super) struct Quartic<'a> {
+    c: [f64; 4],
+    half: f64,
+    line: &'a Line<'a>,
+}
+
+impl<'a> Quartic<'a> {
+    pub fn new(line: &'a Line, poly: &Polynomial<f64>, half: f64) -> Self {
+        Quartic { c: [poly.c[0], poly.c[1], poly.c[2], poly.c[4]], half, line }
+    }
+
+    /// The first change of sign beyond the start.
+    pub fn first(&self, start: Start) -> First {
+        let Some(marks) = self.stationary_points() else { return First::Unsure };
+        let (mut lo, mut minimum) = (start.s, marks[0]);
+        let sign = start.sign;
+        for (k, &mark) in marks.iter().chain([&self.half]).enumerate() {
+            // Minima and maxima alternate, and the end is a maximum of its own.
+            let is_minimum = k % 2 == 0 && k < marks.len();
+            if is_minimum {
+                minimum = mark;
+            }
+            if !(mark > start.s) {
+                continue;
+            }
+            // Only a minimum can end a positive stretch, only a maximum a negative one.
+            if is_minimum == (sign > 0) {
+                let here = if k == marks.len() { 1 } else { self.sign(mark) };
+                if here == 0 {
+                    return First::Unsure;
+                }
+                if here != sign {
+                    return First::Between(Bracket { lo, hi: mark, before: sign, after: here }, minimum);
                 }
             }
+            lo = mark;
         }
-    } else if q2 * q2 > 1.002 * cube {
-        // One minimum.
-        let s = -(q2.abs() + (q2 * q2 - cube).sqrt()).cbrt().copysign(q2);
-        let minimum = if s == 0.0 { 0.0 } else { s + p3 / s };
-        match q.sign(minimum) {
-            -1 => q.descend(-half, minimum),
-            0 => First::Unsure,
-            _ => First::Miss,
+        if sign > 0 { First::Miss } else { First::Unsure }
+    }
+
+    /// Minimum, maximum, minimum; or the one minimum; or nothing where rounding hides which.
+    fn stationary_points(&self) -> Option<ArrayVec<f64, 3>> {
+        let (p3, q2) = (-self.c[2] / (6.0 * self.c[3]), self.c[1] / (8.0 * self.c[3]));
+        let cube = p3 * p3 * p3;
+        if p3 > 0.0 && q2 * q2 < 0.998 * cube {
+            // s = r t with t³ − 3t + 2k = 0; |k| < 0.999 keeps the minima apart from the maximum.
+            let r = p3.sqrt();
+            let k = q2 / (p3 * r);
+            let (left, right) = (r * leftmost(k), -r * leftmost(-k));
+            Some(ArrayVec::from([left, -(left + right), right]))
+        } else if q2 * q2 > 1.002 * cube {
+            let s = -(q2.abs() + (q2 * q2 - cube).sqrt()).cbrt().copysign(q2);
+            Some(ArrayVec::from_iter([if s == 0.0 { 0.0 } else { s + p3 / s }]))
+        } else {
+            None
         }
-    } else {
-        First::Unsure
+    }
+
+    fn value(&self, s: f64) -> f64 {
+        ((self.c[3] * s * s + self.c[2]) * s + self.c[1]) * s + self.c[0]
+    }
+
+    fn slope(&self, s: f64) -> f64 {
+        (4.0 * self.c[3] * s * s + 2.0 * self.c[2]) * s + self.c[1]
+    }
+
+    pub fn sign(&self, s: f64) -> Sign {
+        let f = self.value(s);
+        let size = self.line.size(s);
+        if f.abs() > DOUBT * U * 2.0 * size * size { if f > 0.0 { 1 } else { -1 } } else { 0 }
+    }
+
+    /// The root in a bracket, left or right of the minimum next to it; nothing if Newton's steps leave the bracket
+    /// by more than `slack`.
+    ///
+    /// Starts where the parabola at the minimum is zero; on the convex side that lies beyond
+    /// the root, and Newton's steps come back from there.
+    pub fn root(&self, bracket: &Bracket<f64>, minimum: f64, slack: f64) -> Option<f64> {
+        let (lo, hi) = (bracket.lo - slack, bracket.hi + slack);
+        let curvature = 12.0 * self.c[3] * minimum * minimum + 2.0 * self.c[2];
+        let reach = (-2.0 * self.value(minimum) / curvature).sqrt();
+        let guess = if bracket.before > 0 { minimum - reach } else { minimum + reach };
+        let mut s = if guess > lo && guess < hi { guess } else { 0.5 * (lo + hi) };
+        for _ in 0..16 {
+            let step = self.value(s) / self.slope(s);
+            s -= step;
+            if !(s >= lo && s <= hi) {
+                return None;
+            }
+            // What this step leaves is of the order of its square.
+            if step.abs() <= 1e-9 * self.half {
+                return Some(s);
+            }
+        }
+        None
     }
 }
 
@@ -66,48 +142,4 @@ fn leftmost(k: f64) -> f64 {
         }
     }
     t
-}
-
-struct Quartic<'a> {
-    c: [f64; 4],
-    half: f64,
-    line: &'a Line<'a>,
-}
-
-impl Quartic<'_> {
-    fn value(&self, s: f64) -> f64 {
-        ((self.c[3] * s * s + self.c[2]) * s + self.c[1]) * s + self.c[0]
-    }
-
-    fn slope(&self, s: f64) -> f64 {
-        (4.0 * self.c[3] * s * s + 2.0 * self.c[2]) * s + self.c[1]
-    }
-
-    fn sign(&self, s: f64) -> i8 {
-        let f = self.value(s);
-        let size = self.line.size(s);
-        if f.abs() > DOUBT * U * 2.0 * size * size { if f > 0.0 { 1 } else { -1 } } else { 0 }
-    }
-
-    /// The root between `lo` (positive) and a minimum (negative); the quartic falls in between.
-    ///
-    /// Starts where the parabola at the minimum is zero; on the convex side that lies beyond
-    /// the root, and Newton's steps come back from there.
-    fn descend(&self, lo: f64, minimum: f64) -> First {
-        let curvature = 12.0 * self.c[3] * minimum * minimum + 2.0 * self.c[2];
-        let guess = minimum - (-2.0 * self.value(minimum) / curvature).sqrt();
-        let mut s = if guess > lo { guess } else { 0.5 * (lo + minimum) };
-        for _ in 0..16 {
-            let step = self.value(s) / self.slope(s);
-            s -= step;
-            if !(s >= lo && s <= minimum) {
-                return First::Unsure;
-            }
-            // What this step leaves is of the order of its square.
-            if step.abs() <= 1e-9 * self.half {
-                return First::Root(s, Bracket { lo, hi: minimum, before: 1, after: -1 });
-            }
-        }
-        First::Unsure
-    }
 }

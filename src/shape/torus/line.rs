@@ -10,11 +10,11 @@
 //!
 //! The products in `o × d` are error-free, so that `m` is as good as `u |m|`, not only `u |o|`.
 
-use super::first::{First, first_root};
+use super::first::{First, Quartic, Start};
 use super::{Meeting, Meetings, Scaled};
 use crate::num::U;
 use crate::num::double_double::{DoubleDouble, difference_of_products};
-use crate::num::polynomial::{Bracket, Polynomial, exponent, isolate, refine, times_power_of_two};
+use crate::num::polynomial::{Bracket, Polynomial, Sign, exponent, isolate, refine, times_power_of_two};
 use crate::num::real::Real;
 use crate::ray::Ray;
 use glam::DVec3;
@@ -158,34 +158,62 @@ impl<'a> Line<'a> {
 
     /// The first root with `t_min < t < t_max`.
     pub fn nearest(&self, t_min: f64, t_max: f64) -> Option<f64> {
-        let inside = |t: &f64| *t > t_min && *t < t_max;
-        let p = self.polynomial();
-        let to_ray = |s: f64| times_power_of_two(self.middle + s, self.shift);
-        // The middle errs by 4 u |o|: skip only what ends clearly before the range.
-        let slack = times_power_of_two(8.0 * U * self.o.abs().element_sum() + 8.0 * U, self.shift);
-        let half = self.half_chord();
-        if to_ray(-half) - slack > t_min {
-            match first_root(self, &p, half) {
-                First::Miss => return None,
-                First::Root(s, b) => {
-                    let t = times_power_of_two(self.on_surface(s, &b), self.shift);
-                    return Some(t).filter(inside);
-                }
-                First::Unsure => {}
-            }
+        let search = self.search();
+        if search.is_behind(t_min) || search.is_beyond(t_max) {
+            return None;
         }
-        let found = isolate(&p, -half, half, DOUBT);
+        match search.first(t_min) {
+            First::Miss => return None,
+            First::Between(b, minimum) => {
+                if let Some(s) = search.quartic.root(&b, minimum, search.slack) {
+                    let t = times_power_of_two(self.on_surface(s, &b), self.shift);
+                    // A root that rounds to the start belongs to the search by rounded roots.
+                    if t > t_min {
+                        return (t < t_max).then_some(t);
+                    }
+                }
+            }
+            First::Unsure => {}
+        }
+        self.search_all(&search, t_min, t_max)
+    }
+
+    /// Is there a root with `0 < t < t_max`? Where signs decide, no root is computed.
+    pub fn blocks(&self, t_max: f64) -> bool {
+        let search = self.search();
+        if search.is_behind(0.0) || search.is_beyond(t_max) {
+            return false;
+        }
+        match search.first(0.0) {
+            First::Miss => false,
+            First::Between(b, _) if search.ends_before(b.hi, t_max) => true,
+            First::Between(b, _) if search.starts_after(b.lo, t_max) => false,
+            _ => self.nearest(0.0, t_max).is_some(),
+        }
+    }
+
+    fn search(&self) -> Search<'_> {
+        let (poly, half) = (self.polynomial(), self.half_chord());
+        // The middle errs by 4 u |o|: what ends closer than this to a bound is not decided by it.
+        let slack = 8.0 * U * self.o.abs().element_sum() + 8.0 * U;
+        Search { quartic: Quartic::new(self, &poly, half), poly, half, slack, line: self }
+    }
+
+    /// By brackets around all roots.
+    fn search_all(&self, search: &Search, t_min: f64, t_max: f64) -> Option<f64> {
+        let inside = |t: &f64| *t > t_min && *t < t_max;
+        let found = isolate(&search.poly, -search.half, search.half, DOUBT);
         if !found.certain {
             return self.exact_meetings().iter().map(|m| m.t).find(inside);
         }
         for b in &found.brackets {
-            if to_ray(b.hi) + slack < t_min {
+            if search.ends_before(b.hi, t_min) {
                 continue;
             }
-            if to_ray(b.lo) - slack > t_max {
+            if search.starts_after(b.lo, t_max) {
                 return None;
             }
-            let t = times_power_of_two(self.on_surface(refine(&p, b), b), self.shift);
+            let t = times_power_of_two(self.on_surface(refine(&search.poly, b), b), self.shift);
             if inside(&t) && t.is_finite() {
                 return Some(t);
             }
@@ -193,35 +221,25 @@ impl<'a> Line<'a> {
         None
     }
 
-    /// Is there a root with `0 < t < t_max`? As [`Line::nearest`] answers, but a root whose bracket lies in the range
-    /// needs no digits.
-    pub fn blocks(&self, t_max: f64) -> bool {
-        let p = self.polynomial();
-        let to_ray = |s: f64| times_power_of_two(self.middle + s, self.shift);
-        let slack = times_power_of_two(8.0 * U * self.o.abs().element_sum() + 8.0 * U, self.shift);
-        let half = self.half_chord();
-        if to_ray(-half) - slack > 0.0 {
-            return match first_root(self, &p, half) {
-                First::Miss => false,
-                First::Root(_, b) if to_ray(b.hi) + slack < t_max => true,
-                _ => self.nearest(0.0, t_max).is_some(),
-            };
-        }
-        let found = isolate(&p, -half, half, DOUBT);
-        if !found.certain {
-            return self.nearest(0.0, t_max).is_some();
-        }
-        found.brackets.iter().any(|b| {
-            let (lo, hi) = (to_ray(b.lo) - slack, to_ray(b.hi) + slack);
-            if hi < 0.0 || lo > t_max {
-                return false;
+    /// The sign of (2) at the ray's point at `t` (of the line), from the exact input; 0 where even double-double
+    /// does not tell.
+    fn sign_at(&self, t: f64) -> Sign {
+        if t == 0.0 {
+            let flat = self.o.x * self.o.x + self.o.y * self.o.y;
+            let (o2, a) = (flat + self.o.z * self.o.z, self.torus.a);
+            let sum = o2 + self.torus.gap.high;
+            let (f, size) = (sum * sum - 4.0 * a * a * flat, o2 + a * a);
+            // γ₄ in the sum, γ₉ in its square, γ₅ in the second term, one in the difference; both ≤ size².
+            if f.abs() > 16.0 * U * size * size {
+                return if f > 0.0 { 1 } else { -1 };
             }
-            if lo > 0.0 && hi < t_max {
-                return true;
-            }
-            let t = times_power_of_two(self.on_surface(refine(&p, b), b), self.shift);
-            0.0 < t && t < t_max
-        })
+        }
+        let along = |o: f64, d: f64| DoubleDouble::product(t, d) + DoubleDouble::of(o);
+        let p = [along(self.o.x, self.d.x), along(self.o.y, self.d.y), along(self.o.z, self.d.z)];
+        let f = self.torus.quartic(p).high;
+        let size = p.iter().map(|x| x.high * x.high).sum::<f64>() + self.torus.a * self.torus.a;
+        // As above with one rounding more in each coordinate: 16 + 4.
+        if f.abs() > 20.0 * DoubleDouble::ROUNDOFF * size * size { if f > 0.0 { 1 } else { -1 } } else { 0 }
     }
 
     /// Newton's steps from `s` on the distance form, with the surface evaluated in double-double at `o + t
@@ -282,6 +300,57 @@ impl<'a> Line<'a> {
     pub fn reach(&self) -> f64 {
         let reach = self.torus.a + self.torus.b;
         ((reach * reach - self.m.length_squared()) / self.d2).max(0.0).sqrt()
+    }
+}
+
+/// A search along a line: all that does not depend on where it begins.
+struct Search<'a> {
+    quartic: Quartic<'a>,
+    poly: Polynomial<f64>,
+    half: f64,
+    slack: f64,
+    line: &'a Line<'a>,
+}
+
+impl Search<'_> {
+    /// What the signs say about the first root beyond `t_min` of the ray.
+    fn first(&self, t_min: f64) -> First {
+        if self.starts_after(-self.half, t_min) {
+            return self.quartic.first(Start { s: -self.half, sign: 1 });
+        }
+        // From a far origin the start is known too badly to be set against stationary points: a displacement δ
+        // changes values there by δ² size, which must stay below their DOUBT.
+        if self.slack > 1e-9 * self.half {
+            return First::Unsure;
+        }
+        let t = times_power_of_two(t_min, -self.line.shift);
+        match self.line.sign_at(t) {
+            0 => First::Unsure,
+            sign => self.quartic.first(Start { s: t - self.line.middle, sign }),
+        }
+    }
+
+    /// Parameter of the ray at the end of `s` plus so many slacks.
+    fn ray_t(&self, s: f64, slacks: f64) -> f64 {
+        times_power_of_two(self.line.middle + s + slacks * self.slack, self.line.shift)
+    }
+
+    fn ends_before(&self, s: f64, t: f64) -> bool {
+        self.ray_t(s, 1.0) < t
+    }
+
+    fn starts_after(&self, s: f64, t: f64) -> bool {
+        self.ray_t(s, -1.0) > t
+    }
+
+    /// Is all of the torus before `t_min`?
+    fn is_behind(&self, t_min: f64) -> bool {
+        self.ends_before(self.half, t_min)
+    }
+
+    /// Is all of the torus beyond `t_max`?
+    fn is_beyond(&self, t_max: f64) -> bool {
+        self.starts_after(-self.half, t_max)
     }
 }
 

@@ -3,14 +3,18 @@
 //! Three ways to meet a ray with it: [`watertight`] (the default), [`moller_trumbore()`], [`plane_and_areas()`].
 //! All answer with barycentric coordinates, `p = b₀v₀ + b₁v₁ + b₂v₂`, `b₀ + b₁ + b₂ = 1`.
 
+mod icosphere;
+mod outline;
 mod shading;
 mod textbook;
 pub mod watertight;
 
+pub use icosphere::icosphere;
+pub(crate) use outline::ShearedRay;
 pub use shading::{interpolated_normal, terminator_point};
 pub(crate) use textbook::largest_axis;
 pub use textbook::{as_printed, moller_trumbore, plane_and_areas};
-pub use watertight::ShearedRay;
+pub use watertight::PreparedRay;
 
 use super::{Shape, ShapeError, Sides, perpendicular_part, unit};
 use crate::bounds::Aabb;
@@ -80,7 +84,7 @@ impl Triangle {
 
     /// Where the ray meets the triangle, at any sign of `t`. Many triangles share one `ray`.
     #[inline]
-    pub fn meet(&self, ray: &ShearedRay) -> Option<Meeting> {
+    pub fn meet(&self, ray: &PreparedRay) -> Option<Meeting> {
         ray.meet(self.corners).filter(|m| self.sides.admit_facing(m.facing))
     }
 
@@ -128,7 +132,7 @@ fn exact_normal(corners: [DVec3; 3]) -> Option<DVec3> {
 
 impl Shape for Triangle {
     fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
-        let m = self.meet(&ShearedRay::new(ray))?;
+        let m = self.meet(&PreparedRay::new(ray))?;
         (t_min < m.t && m.t < t_max).then(|| Crossing::new(m.t, 0))
     }
 
@@ -139,7 +143,7 @@ impl Shape for Triangle {
     fn hit(&self, ray: &Ray, crossing: &Crossing) -> Hit {
         let third = 1.0 / 3.0;
         let lost = Meeting { t: crossing.t, b: [third; 3], facing: Facing::Front };
-        let m = ShearedRay::new(ray).meet(self.corners).unwrap_or(lost);
+        let m = PreparedRay::new(ray).meet(self.corners).unwrap_or(lost);
         self.describe(&m, crossing)
     }
 

@@ -1,20 +1,20 @@
 //! Triangles without gaps: a ray at a shared edge or corner never slips between neighbours.
 //!
-//! The ray is sheared onto the axis along which it is longest, and each corner is seen from it in two
-//! coordinates. On which side of an edge the ray passes is the sign of
+//! On which side of an edge the ray passes is the sign of
 //!
 //! ```text
 //! d · ((a − o) × (b − o))                                                   (1)
 //! ```
 //!
-//! evaluated with a bound on its rounding error; where the bound does not decide, in 106 bits, and last
-//! exactly. Two triangles that share an edge so get opposite signs, or both zero, and a zero
-//! belongs to both: the answer is that of exact arithmetic on the given numbers.
+//! Cramer's rule [`moller_trumbore`](super::moller_trumbore) computes these three numbers on its way; here they come
+//! with a bound on their rounding errors. Where the bound does not decide, 106 bits do, and last exact
+//! arithmetic. Two triangles that share an edge so get opposite signs, or both zero, and a zero belongs to both:
+//! the answer is that of exact arithmetic on the given numbers.
 //!
-//! - Source: Woop, Benthin & Wald, *Watertight ray/triangle intersection*, JCGT 2(1) (2013) for the shear;
-//!   Shewchuk (1997) for the exact sign.
+//! - Source: Möller & Trumbore (1997) for the order of the products; Shewchuk, *Adaptive precision floating-point
+//!   arithmetic* (1997) for the filter and the exact sign; Woop, Benthin & Wald, *Watertight ray/triangle
+//!   intersection*, JCGT 2(1) (2013) for the question.
 
-use super::textbook::largest_axis;
 use super::{Facing, Meeting};
 use crate::num::U;
 use crate::num::certified::{Scalar, Vector, power_of_two_below};
@@ -23,54 +23,46 @@ use crate::num::expansion::Expansion;
 use crate::ray::Ray;
 use glam::DVec3;
 
-/// A ray prepared for many triangles: axes permuted so that the direction is longest along the last.
+/// A ray prepared for many triangles.
 #[derive(Clone, Copy, Debug)]
-pub struct ShearedRay {
-    origin: DVec3,
+pub struct PreparedRay {
+    pub(super) origin: DVec3,
     /// The direction times a power of two, so that its largest coordinate is in [1, 2).
-    direction: DVec3,
+    pub(super) direction: DVec3,
     /// What the direction was multiplied by; `t` is too.
     stretch: f64,
-    axes: [usize; 3],
-    shear: [f64; 2],
-    per_depth: f64,
+    /// `d / d·d`: its product with a way along the ray is how far that is.
+    along: DVec3,
+    /// Bound on the error of a triple product of `d` with two vectors, per product of their lengths `|x|+|y|+|z|`.
+    noise: f64,
 }
 
-/// A corner as the ray sees it: sideways offsets, and depth along the last axis.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Seen {
-    x: f64,
-    y: f64,
-    depth: f64,
-    /// Sum of what was added up for `x` and `y`: their rounding errors are at most `4 u size` each.
-    size: f64,
-}
+/// Roundings that reach (1): each edge is a difference (1 + 1), a product and a difference make the cross product
+/// (2), a product and two sums the scalar product (3), so `γ₇ Σ|dᵢ||aⱼ||bₖ| ≤ γ₇ max|dᵢ| Σ|aⱼ| Σ|bₖ|`. The third
+/// number is a difference of the others, with 2 more; 1 for the rounding of the bound itself.
+const ROUNDINGS: f64 = 10.0;
 
-impl ShearedRay {
+/// Between these neither a product of two lengths and `d` vanishes or overflows, nor a part of it that counts:
+/// if no length exceeds 10⁵⁰ and the product of three is above 10⁻¹⁸⁰, two of them make at least 10⁻²³⁰, and
+/// what underflow takes, 3·10⁻³²⁴ · 10⁵⁰, is far below the bound `10 u · 10⁻²³⁰`.
+const FARTHEST: f64 = 1e50;
+const SMALLEST: f64 = 1e-180;
+
+impl PreparedRay {
     /// Prepares a ray whose direction is not zero.
-    pub fn new(ray: &Ray) -> Self {
-        let last = largest_axis(ray.direction);
-        let stretch = 1.0 / power_of_two_below(ray.direction[last].abs());
-        let d = ray.direction * stretch;
-        let (mut i, mut j) = ((last + 1) % 3, (last + 2) % 3);
-        if d[last] < 0.0 {
-            // Mirror two axes, so that orientations stay as they are.
-            (i, j) = (j, i);
-        }
-        let shear = [d[i] / d[last], d[j] / d[last]];
-        let per_depth = 1.0 / d[last];
-        ShearedRay { origin: ray.origin, direction: d, stretch, axes: [i, j, last], shear, per_depth }
-    }
-
-    /// Roundings: the difference `v − o` (1), the shear (1), their product (1), the last subtraction (1).
     #[inline]
-    pub(crate) fn see(&self, v: DVec3) -> Seen {
-        let from = v - self.origin;
-        // A fourth place and a mask: the compiler sees that no index is out of range.
-        let from = [from.x, from.y, from.z, 0.0];
-        let [a, b, depth] = self.axes.map(|axis| from[axis & 3]);
-        let size = a.abs().max(b.abs()) + depth.abs();
-        Seen { x: a - self.shear[0] * depth, y: b - self.shear[1] * depth, depth, size }
+    pub fn new(ray: &Ray) -> Self {
+        let largest = ray.direction.abs().max_element();
+        let stretch = 1.0 / power_of_two_below(largest);
+        let d = ray.direction * stretch;
+        let along = d * (1.0 / d.dot(d));
+        PreparedRay {
+            origin: ray.origin,
+            direction: d,
+            stretch,
+            along,
+            noise: ROUNDINGS * U * largest * stretch,
+        }
     }
 
     /// Where the line of the ray meets a triangle, at any sign of `t`; edges and corners belong to it.
@@ -79,38 +71,50 @@ impl ShearedRay {
     /// - Accuracy: hit or miss as exact arithmetic decides; `t` within `2¹⁰ u |t|`, usually a few `u`.
     #[inline]
     pub fn meet(&self, corners: [DVec3; 3]) -> Option<Meeting> {
-        let [a, b, c] = corners.map(|v| self.see(v));
-        let size = a.size.max(b.size).max(c.size);
-        // Products of three lengths must neither vanish nor overflow.
-        if !(2e-90..2e90).contains(&size) {
-            return self.meet_scaled(corners, size);
+        let [v0, v1, v2] = corners;
+        let (e1, e2, from) = (v1 - v0, v2 - v0, self.origin - v0);
+        let (size1, size2, away) = (sum(e1), sum(e2), sum(from));
+        let (noise1, noise2) = (self.noise * size1, self.noise * size2);
+        // A NaN is in neither range.
+        let is_plain = size1 + size2 + away < FARTHEST && size1 * size2 * away > SMALLEST;
+        if !is_plain {
+            return self.meet_scaled(corners);
         }
-        let edges = [c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x];
-        let bound = edge_bound(size, widest(a).max(widest(b)).max(widest(c)));
-        let (mut above, mut below, mut unsure) = (false, false, false);
-        for e in edges {
-            above |= e > bound;
-            below |= e < -bound;
-            unsure |= e.abs() <= bound;
-        }
-        if above && below {
+        let s = self.direction.cross(e2);
+        let det = e1.dot(s);
+        // Turned so that the triangle faces the ray: in it, all three are positive.
+        let (size, side1) = (det.abs(), from.dot(s) * 1f64.copysign(det));
+        let (unsure, unsure1) = (noise2 * size1, noise2 * away);
+        if size > unsure && (side1 < -unsure1 || side1 - size > unsure1 + unsure) {
             return None;
         }
-        if unsure {
-            return self.meet_carefully(corners);
+        let side2 = self.direction.dot(from.cross(e1)) * 1f64.copysign(det);
+        let unsure2 = noise1 * away;
+        let (side0, unsure0) = (size - side1 - side2, unsure + unsure1 + unsure2);
+        if size > unsure && (side2 < -unsure2 || side0 < -unsure0) {
+            return None;
         }
-        let det = edges[0] + edges[1] + edges[2];
-        let inverse = 1.0 / det;
-        let weights = edges.map(|e| e * inverse);
-        let depths = [a.depth, b.depth, c.depth];
-        let depth = weights[0] * depths[0] + weights[1] * depths[1] + weights[2] * depths[2];
-        // An error in a weight counts by how far its corner's depth is from the answer.
-        let spread: f64 = depths.iter().map(|z| (z - depth).abs()).sum();
-        if spread * bound > 1024.0 * U * depth.abs() * det.abs() {
-            return self.meet_carefully(corners);
+        let is_inside = side0 > unsure0 && side1 > unsure1 && side2 > unsure2;
+        let inverse = 1.0 / size;
+        let [b1, b2] = [side1, side2].map(|side| side * inverse);
+        let (along1, along2) = (e1.dot(self.along), e2.dot(self.along));
+        let t = b1 * along1 + b2 * along2 - from.dot(self.along);
+        // An error in a weight counts by how far its edge runs along the ray; sums of up to 8 roundings.
+        let leaning = along1.abs() + along2.abs();
+        let error = unsure0 * leaning + 8.0 * U * size * (leaning + away * self.along.abs().max_element());
+        if !(is_inside && error <= 1000.0 * U * size * t.abs()) {
+            return self.meet_rarely(corners, [side0, side1, side2], [unsure0, unsure1, unsure2]);
         }
         let facing = if det > 0.0 { Facing::Front } else { Facing::Back };
-        Some(Meeting { t: depth * self.per_depth * self.stretch, b: weights, facing })
+        Some(Meeting { t: t * self.stretch, b: [side0 * inverse, b1, b2], facing })
+    }
+
+    /// The ray is almost in the triangle's plane, or passes an edge closely, or meets the triangle close to its origin.
+    #[cold]
+    fn meet_rarely(&self, corners: [DVec3; 3], sides: [f64; 3], unsure: [f64; 3]) -> Option<Meeting> {
+        let is_above = (0..3).any(|i| sides[i] > unsure[i]);
+        let is_below = (0..3).any(|i| sides[i] < -unsure[i]);
+        if is_above && is_below { None } else { self.meet_carefully(corners) }
     }
 
     /// The plane of the triangle where the ray crosses it, inside the triangle or not.
@@ -122,10 +126,7 @@ impl ShearedRay {
     }
 
     #[cold]
-    fn meet_scaled(&self, corners: [DVec3; 3], size: f64) -> Option<Meeting> {
-        if size == 0.0 {
-            return None;
-        }
+    fn meet_scaled(&self, corners: [DVec3; 3]) -> Option<Meeting> {
         let (ray, corners, unit) = self.rescaled(corners)?;
         self.restored(ray.meet_carefully(corners)?, unit)
     }
@@ -135,7 +136,7 @@ impl ShearedRay {
         let far =
             corners.iter().map(|v| (*v / 2.0 - self.origin / 2.0).abs().max_element()).fold(0.0, f64::max);
         let unit = power_of_two_below(far);
-        let scaled = ShearedRay { origin: self.origin / unit, stretch: 1.0, ..*self };
+        let scaled = PreparedRay { origin: self.origin / unit, stretch: 1.0, ..*self };
         (far > 0.0).then(|| (scaled, corners.map(|v| v / unit), unit))
     }
 
@@ -144,7 +145,7 @@ impl ShearedRay {
         t.is_finite().then_some(Meeting { t, ..scaled })
     }
 
-    /// As [`ShearedRay::meet`], with every sign exact and the rest in 106 bits.
+    /// As [`PreparedRay::meet`], with every sign exact and the rest in 106 bits.
     #[cold]
     fn meet_carefully(&self, corners: [DVec3; 3]) -> Option<Meeting> {
         let (meeting, edges) = self.solve(corners)?;
@@ -189,7 +190,7 @@ impl ShearedRay {
 
     /// The sign of (1), exactly.
     #[cold]
-    fn exact_side(&self, a: DVec3, b: DVec3) -> i8 {
+    pub(super) fn exact_side(&self, a: DVec3, b: DVec3) -> i8 {
         exact_triple(self.direction, self.origin, a, self.origin, b)
     }
 
@@ -198,6 +199,12 @@ impl ShearedRay {
     fn runs_along(&self, [v0, v1, v2]: [DVec3; 3]) -> bool {
         exact_triple(self.direction, v0, v1, v0, v2) == 0
     }
+}
+
+/// `|x| + |y| + |z|`
+#[inline]
+fn sum(v: DVec3) -> f64 {
+    v.abs().element_sum()
 }
 
 /// 106 bits: (1) sums 18 products of numbers up to `2 reach`, each step rounded to `2⁻¹⁰⁴`: below `2⁻⁹⁵ reach`.
@@ -212,67 +219,4 @@ fn exact_triple(d: DVec3, o: DVec3, a: DVec3, q: DVec3, b: DVec3) -> i8 {
         sum.add_product(minor, &Expansion::difference(d, 0.0));
     }
     sum.sign()
-}
-
-/// The larger sideways offset of a corner.
-#[inline]
-fn widest(s: Seen) -> f64 {
-    s.x.abs().max(s.y.abs())
-}
-
-/// Bound on the rounding error of `c.x b.y − c.y b.x`.
-///
-/// Offsets err by `4 u size`: four such errors times an offset up to `width`, two products and a difference
-/// of size `2 width²` at most (`width ≤ size`), and the square of the errors.
-#[inline]
-fn edge_bound(size: f64, width: f64) -> f64 {
-    (16.0 + 4.0 + 1.0) * U * size * width + 33.0 * U * U * size * size
-}
-
-impl ShearedRay {
-    /// Does the edge from `a` to `b` cross the half line to the right of the ray, and on the way up (+1) or down (−1)?
-    ///
-    /// The sum over a closed outline is its winding number about the ray. A corner level with the ray
-    /// counts as below it, so that each crossing belongs to exactly one of two edges that meet there.
-    pub(crate) fn winding_step(&self, a: DVec3, b: DVec3) -> i32 {
-        let (below_a, below_b) = (self.is_below(a), self.is_below(b));
-        if below_a == below_b {
-            return 0;
-        }
-        // The ray is left of an upward edge if it sees a, b turn counter-clockwise.
-        let (low, high, way) = if below_a { (a, b, 1) } else { (b, a, -1) };
-        if self.turns_left(low, high) { way } else { 0 }
-    }
-
-    /// Is the second sideways offset at most 0?
-    fn is_below(&self, v: DVec3) -> bool {
-        let seen = self.see(v);
-        if seen.y.abs() > 4.0 * U * seen.size {
-            return seen.y < 0.0;
-        }
-        let [_, j, last] = self.axes;
-        let part = |axis: usize| Expansion::difference(v[axis], self.origin[axis]);
-        let number = |x: f64| Expansion::difference(x, 0.0);
-        let minor = Expansion::determinant(
-            &part(j),
-            &number(self.direction[last]),
-            &part(last),
-            &number(self.direction[j]),
-        );
-        // Offset times the last coordinate of the direction, which may be negative.
-        let sign = if self.direction[last] < 0.0 { -minor.sign() } else { minor.sign() };
-        sign <= 0
-    }
-
-    /// Is the turn from `a` to `b` about the ray counter-clockwise in the sheared offsets?
-    fn turns_left(&self, a: DVec3, b: DVec3) -> bool {
-        let (p, q) = (self.see(a), self.see(b));
-        let turn = p.x * q.y - p.y * q.x;
-        let bound = edge_bound(p.size.max(q.size), widest(p).max(widest(q)));
-        if turn.abs() > bound {
-            return turn > 0.0;
-        }
-        // (1) is the last coordinate of the direction times the turn, mirrored with the axes: see `new`.
-        self.exact_side(a, b) > 0
-    }
 }
