@@ -41,7 +41,7 @@ fn main() -> Result {
     diagrams::save(&lesson)?;
     lesson.save(
         "surfaces",
-        gallery::panels(lesson.pick([48, 200, 320, 480]), lesson.pick([1, 4, 16, 64]), lesson.seed()),
+        gallery::panels(lesson.pick([48, 160, 320, 480]), lesson.pick([1, 4, 16, 64]), lesson.seed()),
     )?;
 
     // 2. The contestants: ten coefficients, or a shape of its own; formulas as the documents have them, and ours.

@@ -28,7 +28,7 @@ use measured::{defects, quaternions_agree, tilts};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 const STRETCH: DVec3 = dvec3(1.0, 0.5, 1.0); // of the picture with wrong normals
-const GAPS: (f64, f64) = (1.0e-16, 2.0); // 1 + z of the directions round which bases are built
+const GAPS: (f64, f64) = (1.0e-16, 1.0); // 1 + z of the directions round which bases are built
 const TURN: f64 = 0.1; // rad, of each of the many rotations that are composed
 
 fn main() -> Result {

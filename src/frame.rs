@@ -106,7 +106,7 @@ pub fn duff<R: Real>([x, y, z]: Triple<R>) -> (Triple<R>, Triple<R>) {
 ///
 /// - Domain: unit vectors; for `z < −0.9999999` it answers `(0, −1, 0), (−1, 0, 0)` whatever x and y are.
 /// - Accuracy: `1 + z` keeps an absolute error of u, so that the basis is orthonormal to about `u/(1 + z)` only: in `f32`,
-///   just before the patch, to 0.5. Within the patch it is off by `√(2 (1 + z))`.
+///   just before the patch, nothing is left of it. Within the patch it is off by `√(2 (1 + z))`.
 /// - Source: Frisvad, *Building an Orthonormal Basis from a 3D Unit Vector Without Normalization*, J. Graphics Tools 16(3) (2012).
 pub fn frisvad<R: Real>([x, y, z]: Triple<R>) -> (Triple<R>, Triple<R>) {
     let (zero, one) = (R::ZERO, R::from_f64(1.0));

@@ -47,6 +47,7 @@ pub fn bases(bases: &Contest) -> Figure {
     let worst =
         |k: usize| bases[k].1.points.iter().filter_map(|p| p.error).map(|e| e.mid).fold(0.0, f64::max);
     let mut chart = Chart::error_over(Axis::log("1 + z"), "largest defect of orthonormality")
+        .y(Axis::log("largest defect of orthonormality").range(1.0e-17, 1.0e1))
         .title(&format!("Towards z = −1 Frisvad's basis in f32 is off by {}; Duff's keeps every digit", short(worst(0))))
         .subtitle("64 directions a point; largest |xᵢ·xⱼ − δᵢⱼ| of the two vectors and the direction, summed in f64")
         .guide(Guide::upright(1.0e-7, "Frisvad's patch: z < −0.9999999"))

@@ -179,7 +179,7 @@ fn sine_and_cosine() -> Figure {
         .path(Light::Reflected, &[foot, p]).name("sin θ")
         .right_angle(foot, dvec2(-1.0, 0.0), DVec2::Y)
         .angle_at(DVec2::ZERO, DVec2::X, p, 70.0).name("θ")
-        .spot(Light::Incident, p).name(&format!("{}", pair(p)))
+        .spot(Light::Incident, p).name(&pair(p))
         .title("On the unit circle a point's coordinates are the cosine and the sine of its angle")
         .subtitle(&format!("θ = {:.1}°: cos θ = {:.4}, sin θ = {:.4}", angle.to_degrees(), p.x, p.y))
         .alt("A unit circle with a right triangle: the horizontal leg is cos theta, the vertical leg sin theta.");

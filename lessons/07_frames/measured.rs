@@ -8,12 +8,11 @@ use lightbench::num::real::{Real, Triple};
 use lightbench::sample::{Sampler, uniform_sphere};
 use std::f64::consts::TAU;
 
+/// Two vectors square to a third.
+type Basis<R> = fn(Triple<R>) -> (Triple<R>, Triple<R>);
+
 /// The worst of 64 bases round directions with `z = −1 + gap`: how far from orthonormal.
-pub fn defects<R: Real>(
-    lesson: &Lesson,
-    gaps: &[f64],
-    basis: fn(Triple<R>) -> (Triple<R>, Triple<R>),
-) -> Series {
+pub fn defects<R: Real>(lesson: &Lesson, gaps: &[f64], basis: Basis<R>) -> Series {
     Series::over(gaps, |gap| {
         let mut tally = Tally::new();
         for i in 0..64 {
