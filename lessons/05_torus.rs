@@ -6,21 +6,22 @@
 //! Predict:    a ring is seen from 3000 ring radii. What share of its roots does the printed quartic keep?
 //! Figure:     05_torus_speed_accuracy_time.svg
 
-use glam::DVec3;
-use lightbench::kit::figure::{Axis, FailureMap, Figure};
 use lightbench::kit::lesson::{Lesson, Result};
-use lightbench::measure::{Method, Point, Series, Spread, Tally, log_spaced, time_each};
+use lightbench::measure::{Method, Point, Series, Tally, log_spaced, time_each};
 use lightbench::num::U;
-use lightbench::ray::Ray;
 use lightbench::shape::Shape;
-use lightbench::shape::torus::{Torus, TorusMethod};
+use lightbench::shape::torus::TorusMethod;
 
 #[path = "05_torus/figures.rs"]
 mod figures;
 #[path = "05_torus/hole.rs"]
 mod hole;
+#[path = "05_torus/map.rs"]
+mod map;
 #[path = "05_torus/rays.rs"]
 mod rays;
+#[path = "05_torus/shadows.rs"]
+mod shadows;
 use figures::sci;
 use rays::{Aim, Question, crossings, mixed, question, turns};
 
@@ -33,7 +34,6 @@ const DISTANCE: std::ops::Range<f64> = 4.0..1.0e4; // D/a: outside the torus, wh
 const GRAZE: std::ops::Range<f64> = 1.0e-12..0.1; // depth of a ray that grazes [b]
 const CLOSE: f64 = 1.0e-11; // depth [b] of grazing rays in the map and over b/a
 const PLAIN: (f64, f64) = (0.3, 10.0); // b/a and D/a where another parameter is swept
-const LAMP: DVec3 = DVec3::new(3.0, 9.0, 8.0); // m
 
 fn main() -> Result {
     let lesson = Lesson::open(5)?;
@@ -64,12 +64,12 @@ fn main() -> Result {
     lesson.save("distance", figures::distance(&far))?;
     lesson.save("thin", figures::thin(&thin))?;
     lesson.save("grazing", figures::grazing(&graze))?;
-    let cells = map_cells(&lesson);
+    let cells = map::cells(&lesson);
     for method in TorusMethod::ALL {
-        lesson.save(&format!("failures_{}", method.name()), failure_map(&cells, method))?;
+        lesson.save(&format!("failures_{}", method.name()), map::failures(&cells, method))?;
     }
-    let shadows = shadow_segments(seed, rays);
-    let cost: Vec<_> = contest.iter().map(|(name, m)| (name.clone(), shadow_time(&shadows, *m))).collect();
+    let segments = shadows::segments(seed, rays);
+    let cost: Vec<_> = contest.iter().map(|(name, m)| (name.clone(), shadows::time(&segments, *m))).collect();
     lesson.save("shadow_rays", figures::shadow_rays(&cost))?;
     let hole = hole::from_the_hole();
     let lost = hole::lost_by_testcull(seed, rays);
@@ -78,29 +78,7 @@ fn main() -> Result {
     figures::pictures(&lesson)?;
 
     // 4. What the figures show, checked.
-    let all = |k: usize| [&speed, &far, &thin, &graze].map(|s| s[k].1.failures());
-    let sum = |k: usize| all(k).iter().fold((0, 0), |(n, of), f| (n + f.total(), of + f.of));
-    lesson.claim(
-        &format!(
-            "Of {} roots the default misses none and invents none; as printed fails {} times.",
-            sum(0).1,
-            sum(1).0
-        ),
-        sum(0).0 == 0 && sum(1).0 > 0,
-    );
-    // The truth is one of two neighbours of the root; the default promises two roundings, u each, of t ≤ D + 2 a.
-    let near = |p: &Point| p.error.is_some_and(|e| e.mid <= 4.0 * U * (p.parameter + 2.0));
-    lesson.claim(
-        "From every distance D the default errs by less than 4 roundings of D + 2 a.",
-        far[0].1.points.iter().all(near),
-    );
-    lesson.claim(
-        &format!(
-            "From the hole of the torus (2, 0.6) the printed testcull loses {} of {} hits.",
-            lost[0], lost[1]
-        ),
-        hole.culled.is_none() && hole.truth.len() == 2 && lost[0] > 0,
-    );
+    claims(&lesson, [&speed, &far, &thin, &graze], &hole, lost);
     lesson.answer(&answer(&speed))
 }
 
@@ -118,55 +96,30 @@ fn timed(point: Point, questions: &[Question], method: TorusMethod) -> Point {
     }))
 }
 
-/// Columns, rows, and the questions of each cell, row by row.
-type Cells = ((usize, usize), Vec<Vec<Question>>);
-
-fn axes() -> [Axis; 2] {
-    let across = Axis::log("distance of the origin D/a").range(DISTANCE.start, DISTANCE.end);
-    [across, Axis::log("thickness b/a").range(RATIO.start, RATIO.end)]
-}
-
-fn map_cells(lesson: &Lesson) -> Cells {
-    let size = lesson.pick([(8, 6), (32, 22), (80, 56), (120, 84)]);
-    let (mut questions, [across, up]) = (Vec::new(), axes());
-    let ask = |distance, ratio| {
-        (0..8).map(|i| question(lesson.seed(), i, (ratio, distance), turns(i, CLOSE))).collect()
-    };
-    FailureMap::new(across, up, "", size, |distance, ratio| {
-        questions.push(ask(distance, ratio));
-        None
-    });
-    (size, questions)
-}
-
-fn failure_map((size, questions): &Cells, method: TorusMethod) -> Figure {
-    let (mut of_cells, [across, up]) = (questions.iter(), axes());
-    let cell = |_, _| {
-        let point = measured(of_cells.next()?, method, 1.0);
-        (point.failures.total() == 0).then_some(point.error.map_or(0.0, |e| e.mid))
-    };
-    figures::failure_words(FailureMap::new(across, up, "error of t, in a", *size, cell), method)
-}
-
-/// From places of the torus (2, 0.6) that face the lamp, to the lamp at t = 1.
-fn shadow_segments(seed: u64, rays: u32) -> Vec<Ray> {
-    let torus = Torus::new(RING, 0.6).expect("0 < b < a");
-    let segment = |i| {
-        let q = question(seed, i, PLAIN, Aim::Through);
-        let hit = torus.hit(&q.ray, &torus.nearest(&q.ray, 0.0, f64::INFINITY)?);
-        let from = hit.origin_towards(LAMP - hit.point);
-        (hit.ng.dot(LAMP - hit.point) > 0.0).then_some(Ray::new(from, LAMP - from))
-    };
-    (0..rays).filter_map(segment).collect()
-}
-
-fn shadow_time(segments: &[Ray], method: TorusMethod) -> (Spread, usize) {
-    let torus = Torus::new(RING, 0.6).expect("0 < b < a").with_method(method);
-    let blocked = || segments.iter().take(256).filter(|r| torus.blocks(r, 1.0)).count();
-    let truth = torus.with_method(TorusMethod::Adaptive);
-    let wrong = segments.iter().filter(|r| torus.blocks(r, 1.0) != truth.blocks(r, 1.0)).count();
-    let some = segments.len().min(256);
-    (time_each(some, blocked), wrong)
+fn claims(lesson: &Lesson, sweeps: [&Contest; 4], hole: &hole::Hole, lost: [usize; 2]) {
+    let all = |k: usize| sweeps.map(|s| s[k].1.failures());
+    let sum = |k: usize| all(k).iter().fold((0, 0), |(n, of), f| (n + f.total(), of + f.of));
+    lesson.claim(
+        &format!(
+            "Of {} roots the default misses none and invents none; as printed fails {} times.",
+            sum(0).1,
+            sum(1).0
+        ),
+        sum(0).0 == 0 && sum(1).0 > 0,
+    );
+    // The truth is one of two neighbours of the root; the default promises two roundings, u each, of t ≤ D + 2 a.
+    let near = |p: &Point| p.error.is_some_and(|e| e.mid <= 4.0 * U * (p.parameter + 2.0));
+    lesson.claim(
+        "From every distance D the default errs by less than 4 roundings of D + 2 a.",
+        sweeps[1][0].1.points.iter().all(near),
+    );
+    lesson.claim(
+        &format!(
+            "From the hole of the torus (2, 0.6) the printed testcull loses {} of {} hits.",
+            lost[0], lost[1]
+        ),
+        hole.culled.is_none() && hole.truth.len() == 2 && lost[0] > 0,
+    );
 }
 
 fn answer(speed: &Contest) -> String {

@@ -247,10 +247,10 @@ pub fn as_printed(hole: &Hole, [lost, hits]: [usize; 2]) -> Figure {
 /// Two linked rings on a floor, from so many ring radii away through a lens that keeps their size.
 fn scene(method: TorusMethod, distance: f64) -> Result<Scene> {
     let wrong = |e: &dyn std::fmt::Display| LessonError::Other(e.to_string());
-    let target = dvec3(0.55, 2.25, 0.0);
+    let target = dvec3(0.45, 2.0, 0.0);
     let towards = dvec3(-0.35, 0.42, 1.0).normalize();
     let eye = target + towards * (distance * RING);
-    let field = FieldOfView::Vertical(2.0 * (3.3 / (distance * RING)).atan());
+    let field = FieldOfView::Vertical(2.0 * (3.5 / (distance * RING)).atan());
     let camera = Camera::new(eye, target, DVec3::Y, field).map_err(|e| wrong(&e))?;
     let mut scene = Scene::new(camera);
     let paint = |name: &str, diffuse: DVec3| Material {
@@ -268,8 +268,9 @@ fn scene(method: TorusMethod, distance: f64) -> Result<Scene> {
     let floor = Cuboid::new(dvec3(-far, -1.0, -far), dvec3(far, 0.0, far)).map_err(|e| wrong(&e))?;
     scene.objects.push(Object::new("floor", Box::new(floor), 0));
     let torus = |tube: f64| Torus::new(RING, tube).map(|t| t.with_method(method)).map_err(|e| wrong(&e));
-    let lying = DAffine3::from_mat3_translation(DMat3::from_rotation_x(-1.05), dvec3(-0.6, 2.1, 0.0));
-    let standing = DAffine3::from_mat3_translation(DMat3::from_rotation_y(0.95), dvec3(1.5, 2.4, -0.2));
+    // Each ring runs through the other's middle, at a right angle.
+    let lying = DAffine3::from_mat3_translation(DMat3::from_rotation_x(-1.05), dvec3(-0.6, 2.3, 0.0));
+    let standing = DAffine3::from_mat3_translation(DMat3::from_rotation_x(0.52), dvec3(1.4, 2.3, 0.0));
     for (name, tube, place, material) in [("red ring", 0.5, lying, 1), ("teal ring", 0.4, standing, 2)] {
         let ring = Instance::new(Box::new(torus(tube)?), place).map_err(|e| wrong(&e))?;
         scene.objects.push(Object::new(name, Box::new(ring), material));
@@ -300,7 +301,7 @@ pub fn pictures(lesson: &Lesson) -> Result {
         "torus",
         &near,
         "Two linked tori, a = 2, b = 0.5 and 0.4, by the default solver.",
-        "A red ring lying askew and a teal ring standing through it, on a pale floor with soft shadows.",
+        "A red ring lying askew and a teal ring standing through its middle, on a pale floor with soft shadows.",
     )?;
     let mut panels = Panels::new()
         .columns(3)
