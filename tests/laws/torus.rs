@@ -91,6 +91,32 @@ proptest! {
         prop_assert_eq!(torus.blocks(&ray, f64::INFINITY), !all.is_empty());
     }
 
+    /// Rays that leave a place on the surface, just off it or inside the tube: the quick answers by signs against
+    /// the list of all roots. Each is within 2 u of the same root; next to the surface a root is known as well as the
+    /// surface itself in double-double, to 2⁻⁹⁵ a²/b across it.
+    #[test]
+    fn rays_that_begin_at_the_torus_find_the_same(
+        (torus, ray) in torus_and_ray(), d in direction(), depth in -1.0f64..0.5, near in -16.0f64..0.0, end in -3.0f64..1.0
+    ) {
+        let Some(c) = torus.nearest(&ray, 0.0, f64::INFINITY) else { return Ok(()) };
+        let hit = torus.hit(&ray, &c);
+        let shift = depth * 10f64.powf(near) * torus.tube();
+        let t_end = torus.ring() * 10f64.powf(end);
+        let grain = 2f64.powi(-95) * torus.ring() * torus.ring() / (torus.tube() * d.dot(hit.ng).abs());
+        for origin in [hit.origin_towards(d), hit.point, hit.point + hit.ng * shift] {
+            let leaving = Ray::new(origin, d);
+            let all = crossings(&torus, &leaving);
+            for t_max in [f64::INFINITY, t_end] {
+                let want = all.first().filter(|t| **t < t_max);
+                match (torus.nearest(&leaving, 0.0, t_max).map(|c| c.t), want) {
+                    (Some(n), Some(t)) => prop_assert!((n - t).abs() <= 4.0 * U * t + grain, "{n} for {t}"),
+                    (n, t) => prop_assert!(n.is_none() && t.is_none(), "{n:?} for {t:?} of {all:?}"),
+                }
+                prop_assert_eq!(torus.blocks(&leaving, t_max), want.is_some());
+            }
+        }
+    }
+
     /// Middles of spans are inside by half the span's depth at least; middles of gaps outside.
     #[test]
     fn entering_and_leaving_alternate((torus, ray) in torus_and_ray()) {

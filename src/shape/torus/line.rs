@@ -71,6 +71,10 @@ impl<'a> Line<'a> {
             difference_of_products(o.x, d.y, o.y, d.x),
         );
         let m = d.cross(cross) / d2;
+        // Where the test above overflowed, this one still tells; a + b < 4 in the torus's unit.
+        if m.abs().max_element() > 4.0 {
+            return None;
+        }
         let line = Line { torus, o, d, m, d2, middle: -o.dot(d) / d2, shift: unit - length };
         (!line.passes_by()).then_some(line)
     }
