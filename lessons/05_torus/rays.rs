@@ -38,7 +38,7 @@ pub fn question(seed: u64, index: u32, (ratio, distance): (f64, f64), aim: Aim) 
         Aim::Grazing(depth) => {
             let (right, up) = n.any_orthonormal_pair();
             let turn = DVec2::from_angle(std::f64::consts::TAU * sampler.next_1d());
-            (if index % 2 == 0 { depth } else { -depth }, right * turn.x + up * turn.y)
+            (if index.is_multiple_of(2) { depth } else { -depth }, right * turn.x + up * turn.y)
         }
     };
     let target = surface - n * (depth * torus.tube());
