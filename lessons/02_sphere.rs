@@ -3,8 +3,11 @@
 //! Builds on:  01 (a pixel becomes a ray).
 //! New here:   the sphere by three formulas; errors measured against a truth; speed against accuracy.
 //! Notation:   f from the centre to the ray's origin [m], d unit direction, r radius [m], D = |f|;
-//!             t ray parameter [m], t_ca the closest point's, d also its distance from the centre in [B].
-//! Predict:    a sphere of 1 m is seen from 1000 km, in f64. How wrong is t, by the school formula?
+//!             t ray parameter [m], t_ca the closest point's, d also its distance from the centre in [B]; u = 2⁻⁵³.
+//!             algebraic [C]  Δ = 4 ((f·d)² − (f·f − r²)),       t = (−2 f·d ∓ √Δ)/2:   D² − r² is rounded by u D²
+//!             geometric [B]  d² = f·f − (f·d)²,                 t = −f·d ∓ √(r² − d²): the same subtraction
+//!             robust         l = f − (f·d) d,  q = f·d ∓ √(r² − l·l),  t = (f·f − r²)/q and q: l is short, rounded by u D
+//! Predict:    a sphere of 1 m is seen from 1000 km, in f64. How wrong is t, by the algebraic formula of school?
 //! Figure:     02_sphere_speed_accuracy_time.svg
 
 use glam::DVec3;
@@ -33,9 +36,7 @@ type Line<R> = (Triple<R>, Triple<R>); // f and d
 fn main() -> Result {
     let lesson = Lesson::open(2)?;
 
-    // 1. The truth: what the words mean, two examples by hand, and lines whose meeting is known beyond f64.
-    diagrams::all(&lesson)?;
-    diagrams::worked_examples(&lesson)?;
+    // 1. The truth: lines whose meeting is known beyond f64.
     let rays = lesson.pick([64, 512, 4096, 16384]);
     let sets: Vec<(f64, Vec<Line<f64>>)> = HALF_DECADES
         .map(|k| 10f64.powi(k / 2) * if k % 2 == 0 { 1.0 } else { 10f64.sqrt() })
@@ -62,18 +63,26 @@ fn main() -> Result {
     lesson.save("savings", figures::savings(&costs))?;
     lesson.save("as_printed", figures::as_printed(&losses(lesson.seed(), rays)))?;
 
+    diagrams::worked_examples(&lesson)?;
+    diagrams::all(&lesson)?;
+
     // 4. What the figures show, checked.
     let [r64, a64, r32, a32] = [0, 2, 3, 5].map(|i| &contest[i].1);
     claims(&lesson, [r64, a64, r32, a32], &costs);
-    let ns = |i: usize| costs[i].time.mid * 1.0e9;
-    lesson.say(&format!("Measured now, f64: {:.1} ns a ray by robust, {:.1} ns by algebraic.", ns(4), ns(0)));
+    let [algebraic, geometric, robust] = [0, 3, 4].map(|i| &costs[i]);
+    let ratio = |other: &Cost| robust.time.mid / other.time.mid;
     lesson.answer(&format!(
-        "robust, in f64: at distance/radius 10⁶ it finds t to {} radii where the quadratic is {} off, since that subtracts \
-         numbers of size D² to see r²; it costs {:.0} operations a ray instead of {:.0}; in f32 even robust is {} radii off.",
+        "robust, in f64: at distance/radius 10⁶ it finds t to {} radii where algebraic and geometric are {} off, since they \
+         subtract numbers of size D² to see r²; it costs {:.0} operations a ray instead of {:.0} and {:.0}, and in this run \
+         {:.1} and {:.1} times their time ({:.1} ns); in f32 even robust is {} radii off.",
         sci(error_at(r64, 6)),
         sci(error_at(a64, 6)),
-        costs[4].operations,
-        costs[0].operations,
+        robust.operations,
+        algebraic.operations,
+        geometric.operations,
+        ratio(algebraic),
+        ratio(geometric),
+        robust.time.mid * 1.0e9,
         sci(error_at(r32, 6)),
     ))
 }

@@ -254,7 +254,7 @@ fn entering() -> Figure {
         .subtitle("both meetings are kept: glass and solid geometry need the stretch between them");
     captioned(
         diagram,
-        "Entering and leaving meeting of a sphere: the sign of d·n tells them apart (after D, figure 3).",
+        "A ray enters a sphere and leaves it: the sign of d·n tells them apart (after D, figure 3).",
         "A ray crosses a circle from left to right; at the left point the outward normal opposes the ray and it enters, at the \
          right point it agrees and the ray leaves.",
     )

@@ -36,7 +36,8 @@ pub fn html(lessons: &[LessonRecord]) -> String {
     out += STYLE;
     out += "</style>\n</head>\n<body>\n<header>\n<h1>lightbench</h1>\n\
             <p>An optical bench for learning light transport: every lesson asks one question, draws the figures \
-            that answer it, and checks what it claims. Each figure names the command that makes it again.</p>\n\
+            that answer it, and checks what it claims. The command under a question makes its figures again. \
+            Sources: A Sancho 2003, B Anguera 2020, C Ramos, D Tomas, E Ureña 2022 (see ERRATA.md).</p>\n\
             </header>\n<nav aria-label=\"Lessons\">\n<ol>\n";
     for lesson in lessons {
         // Writing to a string cannot fail.

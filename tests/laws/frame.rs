@@ -169,7 +169,8 @@ proptest! {
 /// In `f32`, just before Frisvad's patch, hardly a digit is left.
 #[test]
 fn frisvads_basis_loses_its_digits_at_the_pole() {
-    let worst = |basis: fn(Triple<f32>) -> (Triple<f32>, Triple<f32>)| {
+    type Basis = fn(Triple<f32>) -> (Triple<f32>, Triple<f32>);
+    let worst = |basis: Basis| {
         let each = |k: i32| near_the_pole(1.5e-7, f64::from(k) * 0.01);
         (0..628).map(|k| (each(k), basis(each(k)))).map(|(n, (x, y))| defect(x, y, n)).fold(0.0, f64::max)
     };
