@@ -19,6 +19,7 @@ mod spaces;
 mod stage;
 
 use glam::{DVec2, Vec3Swizzles};
+use lightbench::kit::figure::{grouped, short};
 use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{self, Method};
 use lightbench::num::statistics::Moments;
@@ -102,11 +103,11 @@ fn main() -> Result {
          down; of {} photons {} pass a hole of 2 cm ({:.1} expected), and to know one pixel to 1 % takes {} \
          photons forwards ({} if all are aimed at the hole) but {:.0} rays backwards: they start where we \
          look, and every one counts.",
-        spaces::grouped(PHOTONS),
+        grouped(PHOTONS.into()),
         counted[1],
         passing[1],
-        charts::power(rays(0)),
-        charts::power(rays(1)),
+        short(rays(0)),
+        short(rays(1)),
         rays(3).ceil()
     ))
 }

@@ -11,6 +11,7 @@
 //! Figure:     02_sphere_speed_accuracy_time.svg
 
 use glam::DVec3;
+use lightbench::kit::figure::short;
 use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Point, Series, Tally, log_slope};
 use lightbench::num::gamma;
@@ -25,7 +26,7 @@ mod diagrams;
 #[path = "02_sphere/figures.rs"]
 mod figures;
 use asides::{Cost, failure_map, judge, losses, rounded, savings, time_per_ray};
-use figures::{between, error_at, sci};
+use figures::{between, error_at};
 
 const RADIUS: f64 = 1.0; // m
 const WIDEST: f64 = 0.9; // largest impact parameter [radii]: nearer the rim the question itself is ill-conditioned
@@ -75,15 +76,15 @@ fn main() -> Result {
         "robust, in f64: at distance/radius 10⁶ it finds t to {} radii where algebraic and geometric are {} off, since they \
          subtract numbers of size D² to see r²; it costs {:.0} operations a ray instead of {:.0} and {:.0}, and in this run \
          {:.1} and {:.1} times their time ({:.1} ns); in f32 even robust is {} radii off.",
-        sci(error_at(r64, 6)),
-        sci(error_at(a64, 6)),
+        short(error_at(r64, 6)),
+        short(error_at(a64, 6)),
         robust.operations,
         algebraic.operations,
         geometric.operations,
         ratio(algebraic),
         ratio(geometric),
         robust.time.mid * 1.0e9,
-        sci(error_at(r32, 6)),
+        short(error_at(r32, 6)),
     ))
 }
 

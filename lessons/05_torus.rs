@@ -6,6 +6,7 @@
 //! Predict:    a ring is seen from 3000 ring radii. What share of its roots does the printed quartic keep?
 //! Figure:     05_torus_speed_accuracy_time.svg
 
+use lightbench::kit::figure::short;
 use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Point, Series, Tally, log_spaced, time_each};
 use lightbench::num::U;
@@ -22,7 +23,6 @@ mod map;
 mod rays;
 #[path = "05_torus/shadows.rs"]
 mod shadows;
-use figures::sci;
 use rays::{Aim, Question, crossings, mixed, question, turns};
 
 /// Every method with its measurements.
@@ -133,8 +133,8 @@ fn answer(speed: &Contest) -> String {
     format!(
         "the certified one: {failures} roots missed or false and an error of {} a for {time:.0} ns a ray; the fastest of \
          the others, {}, takes {other:.0} ns, fails {lost} times and errs by {} a. The difference buys every root.",
-        sci(error),
+        short(error),
         TorusMethod::ALL[fastest].name(),
-        sci(off)
+        short(off)
     )
 }

@@ -3,7 +3,7 @@
 use super::{DEPTH, DISTANCE, HOLES, PHOTONS, REPETITIONS, obscura, photons, spaces, stage};
 use glam::{DVec2, DVec3, dvec2};
 use lightbench::film::Image;
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels};
+use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, grouped, short};
 use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Series};
 use lightbench::sample::{point2, uniform, uniform_disc};
@@ -48,8 +48,8 @@ pub fn pictures(lesson: &Lesson, film: &Image, window: &Image) -> Result {
              obscura, it stands upside down with left and right exchanged; on the right, through the \
              window, it is upright.",
         )
-        .picture(stage::pixels(film, 1.0), "on the film, behind the hole")
-        .picture(stage::pixels(window, 1.0), "in the window, before it");
+        .picture(Pixels::from(film), "on the film, behind the hole")
+        .picture(Pixels::from(window), "in the window, before it");
     let caption =
         "After C, figure 2, rendered: the camera obscura inverts the picture; the window model does not.";
     lesson.save("inverts", Figure::from(panels).caption(caption))?;
@@ -75,7 +75,7 @@ pub fn pictures(lesson: &Lesson, film: &Image, window: &Image) -> Result {
             hole * 1e3,
             1e3 * shadow_blur(hole, DEPTH, FAR)
         );
-        panels = panels.picture(stage::pixels(&image, 1.25 * exposure), &label);
+        panels = panels.picture(Pixels::from(&image.map(|p| p * (1.25 * exposure))), &label);
     }
     let caption = "What A says of ill. 50: the hole's size sets how bright the film gets, and how sharp. \
          Corners are darker by cos⁴θ.";
@@ -108,7 +108,7 @@ pub fn holes(lesson: &Lesson, counted: &[u64]) -> Result {
     let exact: Vec<(f64, f64)> =
         (0..=40).map(|k| 0.01 * 100f64.powf(f64::from(k) / 40.0)).map(|h| (h * 1e3, share(h))).collect();
     let axis = || Axis::log("diameter of the hole, mm");
-    let chart = Chart::new(axis(), Axis::log(&format!("photons of {} that pass", spaces::grouped(PHOTONS))))
+    let chart = Chart::new(axis(), Axis::log(&format!("photons of {} that pass", grouped(PHOTONS.into()))))
         .title(&format!("Light grows with the hole's area: {} in a million pass 2 cm", counted[1]))
         .subtitle(&format!("a bare bulb on the axis, {DISTANCE} m away; seed {}", lesson.seed()))
         .function("solid angle", &exact)
@@ -156,7 +156,7 @@ fn traced_blur(hole: f64, seed: u64) -> f64 {
 pub fn contest(lesson: &Lesson, methods: &[(Method, Series)]) -> Result {
     let rays: Vec<f64> = methods.iter().map(|(_, s)| rays_to(s, 0.01)).collect();
     let title =
-        format!("One pixel to 1 %: {} photons forwards, {} rays backwards", power(rays[0]), rays[3].ceil());
+        format!("One pixel to 1 %: {} photons forwards, {} rays backwards", short(rays[0]), rays[3].ceil());
     let subtitle = format!(
         "irradiance of 2 cm of film through a hole of 2 cm, against the closed form; {REPETITIONS} runs a \
              point, seed {}",
@@ -179,15 +179,6 @@ pub fn contest(lesson: &Lesson, methods: &[(Method, Series)]) -> Result {
 pub fn rays_to(series: &Series, error: f64) -> f64 {
     let terms = series.points.iter().filter_map(|p| Some(p.error?.mid.powi(2) * p.work?));
     terms.sum::<f64>() / series.points.len() as f64 / (error * error)
-}
-
-/// A large number to one figure: 8·10⁸.
-pub fn power(x: f64) -> String {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let text = format!("{x:.0e}");
-    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let raised: String = exponent.bytes().map(|c| RAISED[usize::from(c.wrapping_sub(b'0')) % 10]).collect();
-    format!("{mantissa}·10{raised}")
 }
 
 /// Where a flat picture fails: towards 180°.
@@ -243,7 +234,7 @@ pub fn wide_angles(lesson: &Lesson) -> Result {
         });
         let density = solid_angle_density(dvec2(1.0, 0.0) * (0.5 * angle.to_radians()).tan());
         panels = panels.picture(
-            stage::pixels(&image, 1.0),
+            Pixels::from(&image),
             &format!("{angle}°: cos³θ = {:.1} % at the edge", 100.0 * density),
         );
     }

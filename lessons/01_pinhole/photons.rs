@@ -3,7 +3,7 @@
 use super::obscura::told;
 use super::{DISTANCE, HOLES, PHOTONS};
 use glam::{DVec2, DVec3, Vec3Swizzles, dvec2, dvec3};
-use lightbench::kit::figure::{Diagram, Figure, Light};
+use lightbench::kit::figure::{Diagram, Figure, Light, grouped};
 use lightbench::sample::{point2, uniform, uniform_sphere};
 use std::f64::consts::{PI, TAU};
 
@@ -220,7 +220,7 @@ pub fn ways_of_photons(photons: u32) -> Figure {
         .subtitle(&format!(
             "{} photons from the lamp in a plane room, evenly spread over all angles; mirror \
              and ball reflect, the rest absorbs",
-            super::spaces::grouped(photons)
+            grouped(photons.into())
         ))
         .alt(
             "A room in section with a lamp under the ceiling, a shining ball, a mirror on the right wall \

@@ -12,14 +12,6 @@ pub fn plain(x: f64) -> String {
     if x < 0.0 && text != "0" { format!("−{text}") } else { text.to_string() }
 }
 
-/// A count with thin spaces between its thousands.
-pub fn grouped(n: u32) -> String {
-    let digits = n.to_string();
-    let groups: Vec<&str> =
-        digits.as_bytes().rchunks(3).rev().filter_map(|g| std::str::from_utf8(g).ok()).collect();
-    groups.join("\u{202F}")
-}
-
 pub fn pair(p: DVec2) -> String {
     format!("({}, {})", plain(p.x), plain(p.y))
 }

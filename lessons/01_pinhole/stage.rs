@@ -3,9 +3,8 @@
 
 use super::DEPTH;
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use lightbench::color::{Rgb, srgb_encode};
+use lightbench::color::Rgb;
 use lightbench::film::Image;
-use lightbench::kit::figure::Pixels;
 use lightbench::scene::pinhole::obscura_line;
 use lightbench::scene::{Camera, FieldOfView, ndc_from_raster};
 
@@ -111,11 +110,4 @@ pub fn dotted_sky(direction: DVec3) -> Rgb {
         true => dvec3(0.03, 0.20, 0.45),
         false => dvec3(0.93, 0.91, 0.86),
     }
-}
-
-/// The picture as a screen shows it.
-pub fn pixels(image: &Image, exposure: f64) -> Pixels {
-    let level = |x: f64| (255.0 * srgb_encode((x * exposure).clamp(0.0, 1.0))).round() as u8;
-    let rgb = image.pixels().iter().flat_map(|p| p.to_array().map(level)).collect();
-    Pixels::new(image.width(), image.height(), rgb)
 }

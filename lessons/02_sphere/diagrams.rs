@@ -1,9 +1,8 @@
 //! Diagrams of lesson 02: what the words mean; the examples of [C] are drawn to scale.
 
-use super::figures::sci;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use lightbench::kit::figure::font::plain;
-use lightbench::kit::figure::{Diagram, Figure, Light, Space, Table};
+use lightbench::kit::figure::{Diagram, Figure, Light, Space, Table, short};
 use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::num::real::{Triple, dot};
 use lightbench::shape::sphere::method::{algebraic, algebraic_first, in_front, robust};
@@ -222,7 +221,7 @@ fn surface() -> Figure {
         .title("A rounded point under the surface shades itself")
         .subtitle(&format!(
             "C's first example in f32 ends {} units {place} the sphere of radius 3; drawn hugely enlarged",
-            sci(depth.abs())
+            short(depth.abs())
         ));
     captioned(
         diagram,

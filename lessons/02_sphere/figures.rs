@@ -2,23 +2,10 @@
 
 use super::asides::Cost;
 use glam::{DVec3, dvec3};
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, Table};
+use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, Table, short};
 use lightbench::measure::{Method, Series};
 use lightbench::num::real::Triple;
 use lightbench::shape::sphere::method::{Pair, algebraic, in_front, robust};
-
-/// A number as `1.2·10⁻⁷`, or plainly where that is short.
-pub fn sci(x: f64) -> String {
-    if x == 0.0 || !x.is_finite() || (0.01..1000.0).contains(&x.abs()) {
-        return format!("{}", (x * 100.0).round() / 100.0);
-    }
-    let exponent = x.abs().log10().floor() as i32;
-    let raised = |c: char| {
-        c.to_digit(10).map_or('⁻', |k| ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][k as usize])
-    };
-    let power: String = exponent.to_string().chars().map(raised).collect();
-    format!("{:.1}·10{power}", x / 10f64.powi(exponent))
-}
 
 type Contest = [(Method, Series)];
 
@@ -40,7 +27,7 @@ pub fn speed(contest: &Contest, costs: &[Cost; 5], rays: u32) -> Figure {
     let price = costs[4].operations / costs[0].operations;
     let mut chart = Chart::speed_accuracy("error of t_{0}, radii (root mean square)")
         .x(Axis::time("time per ray"))
-        .title(&format!("At 10⁶ radii robust is {} × as accurate as algebraic, for {price:.1} × its operations", sci(gain)))
+        .title(&format!("At 10⁶ radii robust is {} × as accurate as algebraic, for {price:.1} × its operations", short(gain)))
         .subtitle(&format!(
             "up each line: distance/radius 10², 10⁴, 10⁶; {rays} rays each within 0.9 r; median time of 101 runs over all"
         ));
@@ -74,7 +61,7 @@ pub fn stability(contest: &Contest, rays: u32) -> Figure {
 }
 
 pub fn failure_words(map: FailureMap, name: &str, nearest: f64) -> Figure {
-    let title = format!("{name} in f32 loses its first ray within 0.9 r at {} radii", sci(nearest));
+    let title = format!("{name} in f32 loses its first ray within 0.9 r at {} radii", short(nearest));
     let map = map.failing("lost").title(&title).subtitle(
         "sixteen rays a cell, median error; hatched: one of them missed, falsely hit, or off by a radius; above 1: rightly no hit",
     );

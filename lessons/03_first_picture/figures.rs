@@ -3,8 +3,7 @@
 use super::experiment::{AMBIENT, AREA, Line, Measured, mid, neighbours, other, rmse, room, shoot, soft};
 use super::{D_SECONDS, POINT, RUNS, SIDES, SIZES, TRUTH, WAYS};
 use glam::{DVec3, dvec2, dvec3};
-use lightbench::color::{Rgb, srgb_encode};
-use lightbench::film::Image;
+use lightbench::color::Rgb;
 use lightbench::film::metric::compare;
 use lightbench::integrator::{Local, Stage};
 use lightbench::kit::figure::{
@@ -96,18 +95,11 @@ pub fn documents(lesson: &Lesson, picture: Picture) -> Result {
     )
 }
 
-/// Linear radiance as a display shows it.
-pub fn pixels(image: &Image) -> Pixels {
-    let byte = |x: f64| (srgb_encode(x.clamp(0.0, 1.0)) * 255.0).round() as u8;
-    let rgb = image.pixels().iter().flat_map(|p| p.to_array().map(byte)).collect();
-    Pixels::new(image.width(), image.height(), rgb)
-}
-
 pub fn panels(picture: Picture) -> Result<Figure> {
     let truth = shoot(&soft(31, Grid), picture)?;
     let mut panels = Panels::new().columns(3);
     for way in &WAYS[..4] {
-        panels = panels.picture(pixels(&shoot(way, picture)?), way.0);
+        panels = panels.picture(Pixels::from(&shoot(way, picture)?), way.0);
     }
     let hard = shoot(&WAYS[2], picture)?;
     let errors = hard.pixels().iter().zip(truth.pixels()).map(|(a, b)| (*a - *b).element_sum() / 3.0);
@@ -121,7 +113,7 @@ pub fn panels(picture: Picture) -> Result<Figure> {
         range: Some((-0.5, 0.5)),
     };
     let panels = panels
-        .picture(pixels(&truth), "soft, 31 × 31 grid: the truth")
+        .picture(Pixels::from(&truth), "soft, 31 × 31 grid: the truth")
         .error(error)
         .title("Each stage buys one thing: what, how lit, what is in the way")
         .subtitle(&format!(

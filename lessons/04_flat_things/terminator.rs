@@ -1,9 +1,9 @@
 //! Smooth shading of a coarse mesh, and the shadow that its facets cast on themselves.
 
 use glam::{DVec3, dvec2, dvec3};
-use lightbench::color::{Rgb, srgb_encode};
+use lightbench::color::Rgb;
 use lightbench::film::Image;
-use lightbench::kit::figure::{Panels, Pixels};
+use lightbench::kit::figure::Panels;
 use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::ray::{Hit, Ray};
 use lightbench::scene::{Camera, FieldOfView};
@@ -52,7 +52,7 @@ pub fn save(lesson: &Lesson) -> Result<(f64, f64)> {
         "the sphere that is meant".to_string(),
     ];
     let panels =
-        pictures.iter().zip(&labels).fold(Panels::new(), |p, (image, label)| p.picture(pixels(image), label));
+        pictures.iter().zip(&labels).fold(Panels::new(), |p, (image, label)| p.picture(image.into(), label));
     let zoom = side / 4;
     let panels = panels
         .title("Interpolated normals leave a jagged terminator; lifting the shadow ray's origin mends it")
@@ -123,10 +123,4 @@ fn on_mesh(mesh: &Mesh, way: Way, ray: &Ray) -> Option<(DVec3, Hit)> {
             (n, Hit { point, ng: n, ..hit })
         }
     })
-}
-
-fn pixels(image: &Image) -> Pixels {
-    let byte = |x: f64| (srgb_encode(x.clamp(0.0, 1.0)) * 255.0).round() as u8;
-    let rgb = image.pixels().iter().flat_map(|p| [byte(p.x), byte(p.y), byte(p.z)]).collect();
-    Pixels::new(image.width(), image.height(), rgb)
 }

@@ -3,11 +3,9 @@
 use super::hole::Hole;
 use super::{Contest, RING};
 use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2, dvec3};
-use lightbench::color::srgb_encode;
-use lightbench::film::Image;
 use lightbench::integrator::Local;
 use lightbench::kit::figure::{
-    Axis, Bars, Chart, Diagram, FailureMap, Figure, Guide, Light as Pen, Panels, Pixels, Table,
+    Axis, Bars, Chart, Diagram, FailureMap, Figure, Guide, Light as Pen, Panels, Pixels, Table, short,
 };
 use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::light::{AreaLight, Falloff, Light, Placement};
@@ -17,19 +15,6 @@ use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::instance::Instance;
 use lightbench::shape::torus::{Torus, TorusMethod};
-
-/// A number as `1.2·10⁻⁷`, or plainly where that is short.
-pub fn sci(x: f64) -> String {
-    if x == 0.0 || !x.is_finite() || (0.01..1000.0).contains(&x.abs()) {
-        return format!("{}", (x * 100.0).round() / 100.0);
-    }
-    let exponent = x.abs().log10().floor() as i32;
-    let raised = |c: char| {
-        c.to_digit(10).map_or('⁻', |k| ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][k as usize])
-    };
-    let power: String = exponent.to_string().chars().map(raised).collect();
-    format!("{:.1}·10{power}", x / 10f64.powi(exponent))
-}
 
 /// A method with the style that it keeps in every chart of the lesson.
 pub fn method(method: TorusMethod) -> Method {
@@ -90,7 +75,7 @@ pub fn contest(contest: &Contest) -> Figure {
         let (error, time) = (p.error.map_or(f64::NAN, |e| e.mid), p.time.unwrap_or(Spread::exact(f64::NAN)));
         let (missed, invented) = (p.failures.missed.to_string(), p.failures.false_hits.to_string());
         let quartiles = format!("{} to {}", ns(time.low), ns(time.high));
-        table = table.row(&[&method.name, &missed, &invented, &sci(error), &ns(time.mid), &quartiles]);
+        table = table.row(&[&method.name, &missed, &invented, &short(error), &ns(time.mid), &quartiles]);
     }
     Figure::from(table.marked()).caption("All eight methods on the same rays; the default stands last.")
 }
@@ -283,13 +268,6 @@ fn scene(method: TorusMethod, distance: f64) -> Result<Scene> {
     Ok(scene)
 }
 
-/// Linear radiance as a display shows it.
-fn pixels(image: &Image) -> Pixels {
-    let byte = |x: f64| (srgb_encode(x.clamp(0.0, 1.0)) * 255.0).round() as u8;
-    let rgb = image.pixels().iter().flat_map(|p| p.to_array().map(byte)).collect();
-    Pixels::new(image.width(), image.height(), rgb)
-}
-
 pub fn pictures(lesson: &Lesson) -> Result {
     let (width, samples) = lesson.pick([(48, 1), (360, 1), (560, 4), (1120, 16)]);
     let picture = Picture { width, height: width * 3 / 4, samples, seed: lesson.seed() };
@@ -311,7 +289,7 @@ pub fn pictures(lesson: &Lesson) -> Result {
         [(TorusMethod::AsPrinted, 10.0), (TorusMethod::AsPrinted, 3000.0), (TorusMethod::Adaptive, 3000.0)]
     {
         let label = format!("{}, from {distance} a", self::method(method).name);
-        panels = panels.picture(pixels(&shot(method, distance)?), &label);
+        panels = panels.picture(Pixels::from(&shot(method, distance)?), &label);
     }
     let alt = "Three pictures of two linked rings. As printed: half in false shadow from 10 a, frayed too from 3000 a; the last, by the \
                default from 3000 a, is clean.";

@@ -2,7 +2,6 @@
 
 use glam::{DAffine3, DMat3, DQuat, DVec3, dvec2, dvec3};
 use lightbench::bounds::Aabb;
-use lightbench::color::srgb_encode;
 use lightbench::film::Image;
 use lightbench::frame::unit;
 use lightbench::integrator::Local;
@@ -22,12 +21,6 @@ use lightbench::shape::quadric::{ClippedQuadric, Ellipsoid, Quadric};
 use lightbench::shape::sphere::Sphere;
 use lightbench::shape::torus::Torus;
 use lightbench::shape::triangle::Triangle;
-
-fn pixels(image: &Image) -> Pixels {
-    let level = |x: f64| (255.0 * srgb_encode(x.clamp(0.0, 1.0))).round() as u8;
-    let rgb = image.pixels().iter().flat_map(|p| p.to_array().map(level)).collect();
-    Pixels::new(image.width(), image.height(), rgb)
-}
 
 /// A ball under `stretch`, lit by its right normals and by M n, and the angle between them.
 pub fn normals(stretch: DVec3, size: usize) -> Figure {
@@ -72,8 +65,8 @@ pub fn normals(stretch: DVec3, size: usize) -> Figure {
             .title(&format!("Normals sent through M light a ball that is not there: up to {largest:.0}° off"))
             .subtitle(&format!("unit ball flattened to {} of its height, Lambert, one lamp from the upper left", stretch.y))
             .alt("Two pictures of a flattened ball: with right normals the light falls off over the flat top; with wrong ones it looks like a tall ball. A map shows the tilt.")
-            .picture(pixels(&right), "n ↦ M⁻ᵀ n")
-            .picture(pixels(&wrong), "n ↦ M n")
+            .picture(Pixels::from(&right), "n ↦ M⁻ᵀ n")
+            .picture(Pixels::from(&wrong), "n ↦ M n")
             .error(error),
     )
     .caption("A flattened ball with the normals of the inverse transpose, and with normals treated as displacements.")
@@ -90,7 +83,7 @@ pub fn all_surfaces(width: usize, samples: u32, seed: u64) -> Figure {
             .title(&format!("{count} surfaces: each stands where it does by a point, an axis or a map"))
             .subtitle("sphere, ellipsoid, cylinder, cone, torus, boxes, polyhedron, triangle, disc, polygon, paraboloid, hyperboloids")
             .alt("Solids and flat surfaces of many colours on a pale floor, in three rows, under a soft lamp.")
-            .picture(pixels(&image), ""),
+            .picture(Pixels::from(&image), ""),
     )
     .caption("All kinds of surfaces so far (after A, illustration 123, which adds meshes and mirrors).")
 }

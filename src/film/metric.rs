@@ -3,8 +3,9 @@
 //! Errors are measured on linear radiance, `d = a − b` with `b` the reference. What an eye would say is
 //! asked of *display values*: radiance clamped to [0,1] and sent through the sRGB curve.
 
-use super::{Image, pairwise_sum, ssim};
+use super::{Image, ssim};
 use crate::color::{luminance, srgb_encode};
+use crate::num::sum::pairwise;
 
 /// The distance of a picture from its reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,7 +62,7 @@ pub struct Place {
 /// Compares `a` with the reference `b`: each number is defined at its field of [`Comparison`].
 ///
 /// - Domain: two pictures of one size, with at least one pixel.
-/// - Accuracy: means by [`pairwise_sum`], `num::gamma(64 + ⌈log₂(n/64)⌉)` relative to the mean of
+/// - Accuracy: means by [`pairwise`], `num::gamma(64 + ⌈log₂(n/64)⌉)` relative to the mean of
 ///   magnitudes. Squares are taken of scaled numbers: neither 1e-200 nor 1e200 is lost.
 /// - NaN goes through, and is counted.
 /// - Source: SSIM by Wang, Bovik, Sheikh & Simoncelli (2004); relative MSE with a floor as in
@@ -85,7 +86,7 @@ pub fn compare(a: &Image, b: &Image) -> Comparison {
 
 /// Mean over pixels of a number made from each one's index.
 fn mean(image: &Image, number: &(impl Fn(usize) -> f64 + Sync)) -> f64 {
-    pairwise_sum(0..image.pixels().len(), number) / image.pixels().len() as f64
+    pairwise(0..image.pixels().len(), number) / image.pixels().len() as f64
 }
 
 /// `m √(mean (d/m)²)` with the largest error `m`, so that squares neither overflow nor vanish.

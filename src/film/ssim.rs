@@ -1,7 +1,8 @@
 //! Structural similarity of two pictures.
 
-use super::{Image, pairwise_sum};
+use super::Image;
 use crate::color::{luminance, srgb_encode};
+use crate::num::sum::pairwise;
 
 /// Side of the window [pixels] and width of its Gaussian [pixels].
 const WINDOW: usize = 11;
@@ -44,7 +45,7 @@ pub fn ssim(a: &Image, b: &Image) -> f64 {
         let cov = product[i] - m_a * m_b;
         (2.0 * m_a * m_b + C1) * (2.0 * cov + C2) / ((m_a * m_a + m_b * m_b + C1) * (var_a + var_b + C2))
     };
-    pairwise_sum(0..mean_a.len(), &similarity) / mean_a.len() as f64
+    pairwise(0..mean_a.len(), &similarity) / mean_a.len() as f64
 }
 
 fn display_luminance(image: &Image) -> Vec<f64> {

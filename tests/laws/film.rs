@@ -1,11 +1,12 @@
 //! Laws of the sRGB curve, of images, tone maps and metrics.
 
 use lightbench::color::{LUMINANCE, Rgb, luminance, srgb_decode, srgb_encode};
+use lightbench::film::Image;
 use lightbench::film::error_picture::{diverging, signed_error};
 use lightbench::film::metric::{Comparison, compare};
 use lightbench::film::tone::{ToneMap, divide_by_channel_maxima_as_printed, filmic};
-use lightbench::film::{Accumulator, Image, pairwise_sum};
 use lightbench::num::gamma;
+use lightbench::num::sum::pairwise;
 use proptest::prelude::*;
 
 /// Cases from a fixed seed, and no files of failures.
@@ -229,32 +230,11 @@ fn a_pairwise_sum_keeps_its_bound() {
     for n in [1usize, 63, 64, 65, 1000, 1 << 20] {
         let levels = (n as f64 / 64.0).log2().max(0.0).ceil() as u32;
         let exact = n as f64 * 0.1;
-        let error = (pairwise_sum(0..n, &|_| 0.1) - exact).abs();
+        let error = (pairwise(0..n, &|_| 0.1) - exact).abs();
         assert!(error <= gamma(64 + levels + 1) * exact, "{n}: {error:e}");
     }
     assert_eq!(Image::new(0, 0).mean(), None);
     assert_eq!(Image::new(3, 2).mean(), Some(Rgb::ZERO));
-}
-
-#[test]
-fn an_accumulator_divides_sums_by_counts() {
-    let sample = |i: u32| Rgb::new(f64::from(i), 0.1, -1.0 / f64::from(i + 1));
-    let n = 4096;
-    let mut whole = Accumulator::new(2, 1);
-    let mut shards = [Accumulator::new(2, 1), Accumulator::new(2, 1)];
-    for i in 0..n {
-        whole.add(0, 0, sample(i));
-        shards[usize::from(i >= n / 2)].add(0, 0, sample(i));
-    }
-    let [mut merged, second] = shards;
-    merged.merge(&second);
-    let pixel = whole.image().get(0, 0);
-    assert_eq!(pixel.x, f64::from(n - 1) / 2.0, "sums of small integers are exact");
-    assert!((pixel.y - 0.1).abs() <= gamma(n + 1) * 0.1);
-    let apart = (merged.image().get(0, 0) - pixel).abs();
-    assert!((apart / pixel.abs()).max_element() <= 2.0 * gamma(n + 1), "{apart}");
-    assert_eq!((merged.count(0, 0), merged.count(1, 0)), (u64::from(n), 0));
-    assert_eq!(whole.image().get(1, 0), Rgb::ZERO);
 }
 
 #[test]

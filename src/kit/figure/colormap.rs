@@ -1,6 +1,8 @@
 //! Colour maps: perceptual for magnitude, diverging for signed values.
 
 use super::ink::Srgb;
+use crate::color::srgb_encode;
+use crate::film::error_picture;
 
 /// Viridis at `t` in [0,1]: dark blue to yellow, of evenly growing lightness.
 ///
@@ -26,28 +28,11 @@ pub fn viridis(t: f64) -> Srgb {
     [level(channel(0)), level(channel(1)), level(channel(2))]
 }
 
-/// Blue over white to vermillion: `t` in [−1,1], white at 0.
+/// Blue over white to red, as the error pictures of [`error_picture`] have it: `t` in [−1,1], white at 0.
 ///
 /// - NaN: grey.
 pub fn diverging(t: f64) -> Srgb {
-    if t.is_nan() {
-        return MISSING;
-    }
-    let t = t.clamp(-1.0, 1.0);
-    let (middle, end) = if t < 0.0 {
-        ([0.42, 0.68, 0.84], [0.02, 0.26, 0.47])
-    } else {
-        ([0.96, 0.62, 0.42], [0.63, 0.20, 0.02])
-    };
-    let size = t.abs();
-    let mix = |i: usize| {
-        if size < 0.5 {
-            1.0 + (middle[i] - 1.0) * size * 2.0
-        } else {
-            middle[i] + (end[i] - middle[i]) * (size * 2.0 - 1.0)
-        }
-    };
-    [level(mix(0)), level(mix(1)), level(mix(2))]
+    if t.is_nan() { MISSING } else { error_picture::diverging(t).to_array().map(|x| level(srgb_encode(x))) }
 }
 
 /// The colour of cells without a value.

@@ -1,6 +1,8 @@
 //! A drawing: the list of marks on a canvas, from the back to the front. Two writers read it, SVG and PNG.
 
 use super::ink::{Ink, Srgb};
+use crate::color::srgb_encode;
+use crate::film::Image;
 use glam::{DVec2, dvec2};
 
 /// An upright rectangle on the canvas [px], y downwards.
@@ -201,6 +203,15 @@ impl Pixels {
         let (x, y) = (x.min(x1), y.min(y1));
         let rgb = (y..y1).flat_map(|row| (x..x1).flat_map(move |col| self.get(col, row))).collect();
         Pixels { width: x1 - x, height: y1 - y, rgb }
+    }
+}
+
+/// A linear picture as a display shows it: cut off at 1, sRGB, 8 bits.
+impl From<&Image> for Pixels {
+    fn from(image: &Image) -> Self {
+        let byte = |x: f64| (srgb_encode(x.clamp(0.0, 1.0)) * 255.0).round() as u8;
+        let rgb = image.pixels().iter().flat_map(|p| p.to_array().map(byte)).collect();
+        Pixels::new(image.width(), image.height(), rgb)
     }
 }
 

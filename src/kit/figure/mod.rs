@@ -38,7 +38,7 @@ pub use bars::Bars;
 pub use chart::{Chart, Guide};
 pub use diagram::{Diagram, Light};
 pub use drawing::{Drawing, Pixels};
-pub use heading::short;
+pub use heading::{grouped, short};
 pub use map::{FailureMap, Shades};
 pub use panels::{ErrorPanel, Panels};
 pub use space::Space;
