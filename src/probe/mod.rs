@@ -5,6 +5,7 @@
 
 mod camera;
 mod colour;
+mod julia;
 mod sphere_box;
 mod surface;
 mod torus;
@@ -29,6 +30,9 @@ pub const TOPICS: &[Topic] = &[
     surface::RAY_QUADRIC,
     torus::RAY_TORUS,
     torus::QUARTIC_ROOTS,
+    julia::JULIA_ESCAPE,
+    julia::JULIA_DISTANCE,
+    julia::JULIA_HIT,
 ];
 
 /// A topic: one function of the library, or several methods for the same question.

@@ -1,0 +1,3 @@
+//! Distance fields and fractals.
+
+pub mod julia;
