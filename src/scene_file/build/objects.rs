@@ -8,6 +8,7 @@ use crate::scene::{Material, Object};
 use crate::scene_file::diagnostic::Diagnostic;
 use crate::scene_file::format::{Default, Kind, Param, Role, State};
 use crate::scene_file::parse::Block;
+use crate::sdf::julia::{Julia, LARGEST_C};
 use crate::shape::cone::Cone;
 use crate::shape::cylinder::Cylinder;
 use crate::shape::disc::Disc;
@@ -16,7 +17,7 @@ use crate::shape::quadric::{ClippedQuadric, Coefficients, Quadric};
 use crate::shape::torus::Torus;
 use crate::shape::triangle::Triangle;
 use crate::shape::{ShapeError, Sides};
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, DVec4};
 use std::collections::HashMap;
 
 /// The objects of a file; what is wrong with them is added to the log.
@@ -78,6 +79,12 @@ fn contradiction(block: &Block) -> Option<Diagnostic> {
             let d = Diagnostic::error(at("Major", "Minor"), message).expected("`Major` above `Minor`");
             (major <= minor).then(|| d.found(format!("Major {major} and Minor {minor}")))
         }
+        "Julia" => {
+            let length = DVec4::from(block.numbers("C")).length();
+            let d = Diagnostic::error(block.span("C"), "the `C` of the `Julia` is too long");
+            let d = d.expected(format!("a length of at most {LARGEST_C}"));
+            (!(length <= LARGEST_C)).then(|| d.found(length.to_string()))
+        }
         "Quadric" => {
             let clip = clip_box(block);
             let d = Diagnostic::error(at("ClipMin", "ClipMax"), "the clip box is empty");
@@ -106,6 +113,7 @@ fn shape(block: &Block) -> Made {
             Cone::new(base, base + axis * scalar("Height"), scalar("Radius"), scalar("TopRadius"))
         }),
         "Torus" => torus(block, map),
+        "Julia" => julia(block, map),
         "Plane" => {
             placed(map, |by| Ok(Plane::new(vector("Point") + by, vector("Normal"))?.with_sides(sides(block))))
         }
@@ -135,6 +143,19 @@ fn torus(block: &Block, map: DAffine3) -> Made {
     let (x, y) = basis(axis);
     let stand = DAffine3::from_mat3_translation(DMat3::from_cols(x, y, axis), vector(block, "Center"));
     instance(Torus::new(scalar(block, "Major"), scalar(block, "Minor"))?, map * stand)
+}
+
+/// A Julia set is made about the origin with unit 1; an instance brings it to its centre and size.
+fn julia(block: &Block, map: DAffine3) -> Made {
+    let [iterations] = block.integers("Iterations").map(|n| u32::try_from(n).unwrap_or(0));
+    let c = DVec4::from(block.numbers("C"));
+    let mut julia = Julia::new(c, iterations, scalar(block, "Bailout"), scalar(block, "W"))?;
+    if block.entry("NormalIterations").is_some() {
+        let [steps] = block.integers("NormalIterations").map(|n| u32::try_from(n).unwrap_or(0));
+        julia = julia.with_normals_after(steps);
+    }
+    let unit = DAffine3::from_scale(DVec3::splat(scalar(block, "Unit")));
+    instance(julia, map * DAffine3::from_translation(vector(block, "Center")) * unit)
 }
 
 /// The box of `ClipMin` and `ClipMax`; where one is not written, endless that way.

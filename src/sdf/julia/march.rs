@@ -15,14 +15,16 @@ use crate::num::U;
 /// along a fractal more closely than rounding can tell. (Of 10⁷ random rays none took 1000.)
 const MOST_LOOKS: usize = 100_000;
 /// Length of the window that is looked at first [cells of the grid]; tuned.
-const WINDOW: f64 = 2.0;
+const WINDOW: f64 = 2.6;
 
 /// Shares of the width at which places are looked at: evenly; towards a root; from a start on.
 const EVEN: [f64; LANES] = [0.125, 0.375, 0.625, 0.875];
-const TOWARDS: [f64; LANES] = [0.3, 0.65, 0.86, 0.95];
-const FRESH: [f64; LANES] = [0.0, 0.15, 0.45, 0.8];
+const TOWARDS: [f64; LANES] = [0.25, 0.6, 0.85, 0.96];
+const FRESH: [f64; LANES] = [0.0, 0.08, 0.25, 0.55];
 /// Width of four places by the reach of one. Each covers two reaches, so 8 would leave no overlap; tuned.
 const SPREAD: f64 = 6.0;
+/// A root is near if the first of the places towards it is within reach: a quarter of half a width.
+const NEAR: f64 = 0.5;
 
 /// What is asked.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -199,7 +201,7 @@ impl Front {
         if self.fresh {
             return FRESH.map(|x| self.clear + x * width);
         }
-        if self.root.is_some() && 2.0 * width >= rest {
+        if self.root.is_some() && rest <= NEAR * self.width {
             return TOWARDS.map(|x| self.clear + x * rest);
         }
         EVEN.map(|x| self.clear + x * width)
