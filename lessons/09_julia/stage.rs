@@ -1,6 +1,6 @@
 //! Pictures of Julia sets: one large, and rows of sets, steps and slices.
 
-use super::{TRUTH, VIEWED};
+use super::VIEWED;
 use glam::{DAffine3, DVec3, DVec4, dvec2, dvec3};
 use lightbench::integrator::Local;
 use lightbench::kit::figure::{Figure, Panels, Pixels};
@@ -94,7 +94,9 @@ pub fn sets(lesson: &Lesson) -> Result {
         .columns(2)
         .title("One rule, four sets: only the quaternion that is added differs")
         .subtitle("q² + c nine times, |q| ≤ 2; shadow rays meet the set that they leave")
-        .alt("Four bodies of knobs within knobs: a spiral, a string of beads, a twisted ribbon and a cluster.");
+        .alt(
+            "Four bodies of knobs within knobs: a spiral, a string of beads, a twisted ribbon and a cluster.",
+        );
     let figure = Figure::from(panels(lesson, &models, shown)?)
         .caption("Four quaternion Julia sets, each lit by a square lamp and throwing shadows on itself (after A, illustration 16).");
     lesson.save("sets", figure)
@@ -117,12 +119,17 @@ pub fn steps(lesson: &Lesson) -> Result {
 
 pub fn slices(lesson: &Lesson) -> Result {
     let models = [-0.3, -0.1, 0.1, 0.3, 0.5, 0.6].map(|w| {
-        (Model { c: VIEWED, iterations: TRUTH.min(10), w, height: 1.0, color: TEAL }, format!("w = {w}").replace('-', "−"))
+        (
+            Model { c: VIEWED, iterations: 10, w, height: 1.0, color: TEAL },
+            format!("w = {w}").replace('-', "−"),
+        )
     });
     let shown = Panels::new()
         .columns(3)
         .title("The set has four dimensions; a picture shows a slice")
-        .subtitle("the points x + y i + z j + w k with the same w; ten steps, c = −0.2 + 0.6 i + 0.2 j + 0.2 k")
+        .subtitle(
+            "the points x + y i + z j + w k with the same w; ten steps, c = −0.2 + 0.6 i + 0.2 j + 0.2 k",
+        )
         .alt("Six slices of the set: they shrink and fall apart as w grows.");
     let figure = Figure::from(panels(lesson, &models, shown)?)
         .caption("Six slices through the fourth coordinate w of one set.");

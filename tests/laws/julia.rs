@@ -99,9 +99,7 @@ fn any_julia() -> impl Strategy<Value = Julia> {
 /// Rays towards the ball of radius 1.5 about the middle, from inside it and from up to 10⁶ away.
 fn any_ray() -> impl Strategy<Value = Ray> {
     (unit_vector(), unit_vector(), 0.0f64..1.5, -2.0f64..6.0, -3.0f64..3.0).prop_map(
-        |(d, aside, off, far, speed)| {
-            Ray::new(aside * off - d * 10f64.powf(far), d * 10f64.powf(speed))
-        },
+        |(d, aside, off, far, speed)| Ray::new(aside * off - d * 10f64.powf(far), d * 10f64.powf(speed)),
     )
 }
 
@@ -344,7 +342,10 @@ fn orbits_need_a_bailout() {
     let first = |bad: &dyn Fn(u32) -> bool| (0..60).find(|n| bad(*n));
     let single = first(&|n| !as_printed_estimate::<f32>(quaternion(p), quaternion(c), n).is_finite());
     let double = first(&|n| !as_printed_estimate::<f64>(quaternion(p), quaternion(c), n).is_finite());
-    assert!(single.is_some_and(|n| n < 16) && double.is_some_and(|n| n < 16) && single < double, "{single:?} {double:?}");
+    assert!(
+        single.is_some_and(|n| n < 16) && double.is_some_and(|n| n < 16) && single < double,
+        "{single:?} {double:?}"
+    );
     for most in [20, 200, 20_000] {
         let end = escape::<f64>(quaternion(p), quaternion(c), most, 1e100);
         assert!(end.escaped && end.estimate().is_some_and(f64::is_finite));

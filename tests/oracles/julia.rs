@@ -49,7 +49,8 @@ fn hit(row: &Record, answer: &Record) -> Option<f64> {
 fn distance(row: &Record, answer: &Record) -> Option<f64> {
     let upper = row.number("dist_exact").or(row.number("dist_upper"))?;
     let lower = row.number("dist_lower").unwrap_or(upper);
-    let size = ["px", "py", "pz"].map(|c| row.number(c).unwrap_or(0.0)).iter().map(|x| x * x).sum::<f64>().sqrt();
+    let size =
+        ["px", "py", "pz"].map(|c| row.number(c).unwrap_or(0.0)).iter().map(|x| x * x).sum::<f64>().sqrt();
     let step = answer.number("safe_step")?;
     let right = step <= upper * (1.0 + 1e-12) + 16.0 * U * (1.0 + size) && step >= 0.25 * lower;
     Some(if right { 0.0 } else { f64::INFINITY })

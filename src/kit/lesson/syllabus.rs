@@ -73,6 +73,18 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &[],
         builds_on: &[(1, "the camera's right, up and forward"), (6, "shapes along the axes")],
     },
+    Entry {
+        number: 9,
+        name: "julia",
+        question: "How far may a ray leap towards a fractal before it leaps too far?",
+        chapter: "Surfaces",
+        introduces: &["sdf"],
+        builds_on: &[
+            (2, "a ray meets a sphere"),
+            (5, "certified signs; missed and false hits"),
+            (8, "rays that march"),
+        ],
+    },
 ];
 
 impl Entry {

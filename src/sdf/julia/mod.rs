@@ -172,8 +172,7 @@ impl Julia {
     ) {
         let mut search = Search { set: &self.set, grid: &self.grid, line, inside: false, ask };
         // Before the ball a ray is outside.
-        let (mut from, mut fresh) =
-            if from > line.enter { (from, true) } else { (line.enter, false) };
+        let (mut from, mut fresh) = if from > line.enter { (from, true) } else { (line.enter, false) };
         let end = end.min(line.leave);
         loop {
             match self.search(&search, from, end, fresh) {
@@ -311,9 +310,13 @@ impl Shape for Julia {
         Hit {
             t: crossing.t,
             point,
-            point_error: (if error < self.radius() { error } else { self.radius() }) + gamma(4) * point.length(),
+            point_error: (if error < self.radius() { error } else { self.radius() })
+                + gamma(4) * point.length(),
             ng: n,
-            n: self.shading.as_ref().map_or(n, |set| crate::frame::unit(set.value(point).gradient).unwrap_or(n)),
+            n: self
+                .shading
+                .as_ref()
+                .map_or(n, |set| crate::frame::unit(set.value(point).gradient).unwrap_or(n)),
             tangent: perpendicular_part(DVec3::new(n.z, 0.0, -n.x), n),
             uv: uv_of(point),
             face: crossing.face,

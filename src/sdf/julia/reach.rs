@@ -67,17 +67,19 @@ pub(super) fn iterate<V: Lanes>(set: &Set, start: Start<V>) -> Iterates<V> {
     for (i, level) in set.levels.iter().enumerate() {
         let (a2, u2, ada, udu) = (a * a, u * u, a * da, u * du);
         let (n, half_dn) = (a2 + u2 + p, ada + udu + hp);
-        out.n = open.pick(n, out.n);
-        out.half_dn = open.pick(half_dn, out.half_dn);
-        out.beta = open.pick(beta, out.beta);
-        out.kappa = open.pick(kappa, out.kappa);
-        out.threshold = open.pick(V::splat(level.threshold), out.threshold);
-        if i + 1 == set.levels.len() {
-            break; // what is still open is decided by the last level
-        }
-        open = open.and(V::splat(level.stop2).above(n));
-        if !open.any() {
-            break;
+        let last = i + 1 == set.levels.len();
+        // At the last level what is still open is decided, before it what has gone far enough.
+        let decided = if last { open } else { open.and(n.above(V::splat(level.stop2))) };
+        if decided.any() {
+            out.n = decided.pick(n, out.n);
+            out.half_dn = decided.pick(half_dn, out.half_dn);
+            out.beta = decided.pick(beta, out.beta);
+            out.kappa = decided.pick(kappa, out.kappa);
+            out.threshold = decided.pick(V::splat(level.threshold), out.threshold);
+            open = open.without(decided);
+            if !open.any() {
+                break;
+            }
         }
         let twice = (four * n).sqrt();
         kappa = beta * beta + twice * kappa;
