@@ -103,18 +103,29 @@ impl Grid {
             sweep(&mut self.distance);
             self.distance.reverse();
         }
+        // Beyond the grid there is nothing, but nobody has looked how far.
+        for (i, row) in self.distance.chunks_exact_mut(PADDED).enumerate() {
+            if [i % PADDED, i / PADDED].into_iter().any(|x| x == 0 || x == PADDED - 1) {
+                row.fill(1);
+            } else {
+                (row[0], row[PADDED - 1]) = (1, 1);
+            }
+        }
     }
 
     /// A line in cells.
     #[inline(always)]
     pub fn path(&self, middle: DVec3, direction: DVec3) -> Path {
+        let nudge = self.cell * 0.5 * (MARGIN - 1.0);
         let axis = |middle: f64, direction: f64| {
-            let (start, speed) = ((middle + self.half) * self.per_cell, direction * self.per_cell);
+            // Half a cell more: the nearest whole number is then that of the cell, counted with the border.
+            let (start, speed) = ((middle + self.half) * self.per_cell + 0.5, direction * self.per_cell);
             // A line along an axis never leaves a cell across it; 1/speed is a number from 10⁻³⁰⁰ on.
-            let still = speed.abs() < 1.0e-300;
-            let (to_middle, per_cell) =
-                if still { (f64::INFINITY, 0.0) } else { ((0.5 - start) / speed, 1.0 / speed) };
-            PathAxis { start, speed, to_middle, per_cell }
+            if speed.abs() < 1.0e-300 {
+                return PathAxis { start, speed, leave: f64::INFINITY, per_cell: 0.0 };
+            }
+            let per_cell = 1.0 / speed;
+            PathAxis { start, speed, leave: nudge - start * per_cell - 0.5 * per_cell.abs(), per_cell }
         };
         Path { axes: [axis(middle.x, direction.x), axis(middle.y, direction.y), axis(middle.z, direction.z)] }
     }
@@ -124,23 +135,24 @@ impl Grid {
     /// A cell at distance `n` is the middle of a cube of `2n − 1` empty ones along each edge, and the line leaves that next.
     #[inline(always)]
     pub fn skip(&self, path: &Path, mut s: f64, end: f64) -> f64 {
-        let nudge = self.cell * 0.5 * (MARGIN - 1.0);
-        let last = SIDE as i32 - 1;
+        // Added to a number, this rounds it to the nearest whole one, and leaves that in the lowest bits.
+        const ROUND: f64 = (1u64 << 52) as f64;
+        let last = self.distance.len() - 1;
         while s < end {
-            // What lies outside the grid is looked at in its nearest cell.
-            let [x, y, z] = path.axes.map(|a| ((a.start + a.speed * s) as i32).clamp(0, last));
-            let distance = self.distance[index(x as usize, y as usize, z as usize)];
+            let [x, y, z] = path.axes.map(|a| a.start + a.speed * s + ROUND);
+            let [i, j, k] = [x, y, z].map(|x| x.to_bits() as usize & 0xffff);
+            let distance = self.distance[((k * PADDED + j) * PADDED + i).min(last)];
             if distance == 0 {
                 return s;
             }
-            let reach = f64::from(distance) - 0.5;
+            let distance = f64::from(distance);
             let leave =
-                |a: &PathAxis, i: i32| a.to_middle + f64::from(i) * a.per_cell + reach * a.per_cell.abs();
+                |a: &PathAxis, x: f64| a.leave + ((x - ROUND) * a.per_cell + distance * a.per_cell.abs());
             let [a, b, c] = &path.axes;
             let (tx, ty, tz) = (leave(a, x), leave(b, y), leave(c, z));
             let t = if tx < ty { tx } else { ty };
             let t = if tz < t { tz } else { t };
-            s = if t > s { t } else { s } + nudge;
+            s = if t > s { t } else { s + self.cell * (MARGIN - 1.0) };
         }
         end
     }
@@ -157,8 +169,8 @@ struct PathAxis {
     /// Cells at `s = 0`, and per unit of `s`.
     start: f64,
     speed: f64,
-    /// `s` at the middle of cell 0, and per cell.
-    to_middle: f64,
+    /// Where a cube of edge 0 about cell 0 ends, and what a cell adds.
+    leave: f64,
     per_cell: f64,
 }
 
@@ -194,16 +206,16 @@ impl Survey<'_> {
 
     #[inline(always)]
     fn start<V: Lanes>(&self, blocks: &[Block; LANES]) -> Start<V> {
-        let (mut a, mut u, mut p) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let (mut x, mut y, mut z) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         for (i, block) in blocks.iter().enumerate() {
             let middle = |axis: usize| {
                 (block.at[axis] as f64 + 0.5 * block.size as f64) * (0.5 * self.grid.cell) - self.grid.half
             };
             let at = self.set.reduced(DVec3::new(middle(0), middle(1), middle(2)), self.set.w());
-            (a[i], u[i], p[i]) = (at.a, at.u, at.across.length_squared());
+            [x[i], y[i], z[i]] = at.doubled();
         }
         let still = V::splat(0.0);
-        Start { a: V::of(a), u: V::of(u), p: V::of(p), da: still, du: still, hp: still }
+        Start { x: V::of(x), y: V::of(y), z: V::of(z), dx: still, dy: still, half_dz: still }
     }
 }
 

@@ -6,7 +6,7 @@ use super::set::Set;
 use crate::ray::Ray;
 use glam::DVec3;
 
-/// `|q|²` beyond which an orbit is gone: its square, and the product with the derivative, are still finite.
+/// `(2|q|)²` beyond which an orbit is gone: its square, and the product with the derivative, are still finite.
 const GONE: f64 = 1.0e140;
 
 /// The line `middle + s direction`, with a unit direction, and what the iteration needs of it.
@@ -20,12 +20,10 @@ pub(super) struct Line {
     /// Where the line passes through the ball that holds the solid.
     pub enter: f64,
     pub leave: f64,
-    a: f64,
-    da: f64,
-    u: f64,
-    du: f64,
-    /// `p = p₀ + 2 p₁ s + p₂ s²`.
-    p: [f64; 3],
+    /// The coordinates (2) of [`super::set`]: `x = x₀ + s dx`, likewise `y`, and `z = z₀ + 2 z₁ s + z₂ s²`.
+    x: [f64; 2],
+    y: [f64; 2],
+    z: [f64; 3],
 }
 
 impl Line {
@@ -34,10 +32,13 @@ impl Line {
     /// The middle is as far from the true line as the ray's origin is rounded: u of its distance.
     #[inline]
     pub fn new(set: &Set, ray: &Ray, radius: f64) -> Option<Self> {
-        let largest = ray.direction.abs().max_element();
-        let direction = ray.direction / largest;
+        // Squares of ordinary lengths are ordinary; others are scaled first.
+        let squared = ray.direction.length_squared();
+        let largest =
+            if (1.0e-200..1.0e200).contains(&squared) { 1.0 } else { ray.direction.abs().max_element() };
+        let direction = if largest == 1.0 { ray.direction } else { ray.direction / largest };
         let length = direction.length();
-        let direction = direction / length;
+        let direction = direction * (1.0 / length);
         let origin = ray.origin.dot(direction);
         let middle = ray.origin - direction * origin;
         let (b, c) = (middle.dot(direction), middle.length_squared() - radius * radius);
@@ -54,11 +55,13 @@ impl Line {
             speed: [largest, length],
             enter: -b - half,
             leave: half - b,
-            a: at.a,
-            da: to.a,
-            u: at.u,
-            du: to.u,
-            p: [at.across.length_squared(), at.across.dot(to.across), to.across.length_squared()],
+            x: [2.0 * at.a, 2.0 * to.a],
+            y: [2.0 * at.u, 2.0 * to.u],
+            z: [
+                4.0 * at.across.length_squared(),
+                4.0 * at.across.dot(to.across),
+                4.0 * to.across.length_squared(),
+            ],
         })
     }
 
@@ -81,38 +84,31 @@ impl Line {
     /// What the iteration starts with at four places.
     #[inline(always)]
     pub fn start<V: Lanes>(&self, s: [f64; LANES]) -> Start<V> {
-        let (s, [p0, p1, p2]) = (V::of(s), self.p.map(V::splat));
-        let hp = p1 + s * p2;
-        Start {
-            a: V::splat(self.a) + s * V::splat(self.da),
-            u: V::splat(self.u) + s * V::splat(self.du),
-            p: p0 + s * (hp + p1),
-            da: V::splat(self.da),
-            du: V::splat(self.du),
-            hp,
-        }
+        let (s, [x0, dx], [y0, dy]) = (V::of(s), self.x.map(V::splat), self.y.map(V::splat));
+        let [z0, z1, z2] = self.z.map(V::splat);
+        let half_dz = z1 + s * z2;
+        Start { x: x0 + s * dx, y: y0 + s * dy, z: z0 + s * (half_dz + z1), dx, dy, half_dz }
     }
 
-    /// `|q_N|²` and half its derivative at one place. An orbit that leaves for good may overflow: then ∞ and 0.
+    /// `(2|q_N|)²` and half its derivative at one place; ∞ and 0 where the orbit has left for good.
     #[inline(always)]
     pub fn value(&self, set: &Set, s: f64) -> (f64, f64) {
-        let [p0, p1, p2] = self.p;
-        let (mut a, mut u, mut da, mut du) = (self.a + s * self.da, self.u + s * self.du, self.da, self.du);
-        let mut hp = p1 + s * p2;
-        let mut p = p0 + s * (hp + p1);
+        let ([x0, mut dx], [y0, mut dy], [z0, z1, z2]) = (self.x, self.y, self.z);
+        let (mut x, mut y, mut half_dz) = (x0 + s * dx, y0 + s * dy, z1 + s * z2);
+        let mut z = z0 + s * (half_dz + z1);
         for _ in 1..set.levels.len() {
-            let (ada, ta, a2, u2) = (a * da, a + a, a * a, u * u);
-            if a2 + u2 + p > GONE {
+            let (x2, y2, xdx) = (x * x, y * y, x * dx);
+            if x2 + (y2 + z) > GONE {
                 return (f64::INFINITY, 0.0);
             }
-            let next_da = 2.0 * (ada - u * du - hp);
-            du = ta * du + (u + u) * da;
-            hp = 4.0 * (ada * p + a2 * hp);
-            a = (a2 - u2) - (p - set.c0);
-            u = ta * u + set.k;
-            p = 4.0 * (a2 * p);
-            da = next_da;
+            let next_dx = xdx - (y * dy + half_dz);
+            dy = x * dy + y * dx;
+            dx = next_dx;
+            half_dz = xdx * z + x2 * half_dz;
+            y = x * y + set.k_twice;
+            x = 0.5 * (x2 - (y2 + z)) + set.c0_twice;
+            z = x2 * z;
         }
-        (a * a + u * u + p, a * da + u * du + hp)
+        (x * x + (y * y + z), x * dx + (y * dy + half_dz))
     }
 }

@@ -150,7 +150,7 @@ impl Search<'_> {
 
     /// The next place behind a root where the sign is that of the search, if there is one before `end`.
     pub fn behind(&self, root: f64, end: f64) -> Option<f64> {
-        let b2 = self.set.bailout() * self.set.bailout();
+        let b2 = self.level();
         let mut step = self.grain();
         loop {
             let s = root + step;
@@ -164,6 +164,12 @@ impl Search<'_> {
         }
     }
 
+    /// `(2B)²`, what [`Line::value`] is at the surface.
+    #[inline(always)]
+    fn level(&self) -> f64 {
+        4.0 * self.set.bailout() * self.set.bailout()
+    }
+
     /// Two places closer than this are one: their coordinates differ by roundings only.
     fn grain(&self) -> f64 {
         let line = self.line;
@@ -173,9 +179,9 @@ impl Search<'_> {
     /// Where Newton's step leads from place `i`, which has the other sign, or from the one before it, whichever is nearer to the surface.
     #[inline(always)]
     fn guess(&self, look: &Stretches, places: &[f64; LANES], i: usize) -> f64 {
-        let b2 = self.set.bailout() * self.set.bailout();
+        let b2 = self.level();
         let log = |i: usize| {
-            let n = look.alpha[i] * look.alpha[i];
+            let n = 4.0 * look.alpha[i] * look.alpha[i];
             (n - b2) / (n + b2)
         };
         let from = if i > 0 && log(i - 1).abs() < log(i).abs() { i - 1 } else { i };
@@ -188,7 +194,7 @@ impl Search<'_> {
     /// near enough close to the root. Each step squares the error.
     #[inline(always)]
     fn root(&self, [mut before, mut behind]: [f64; 2], guess: f64, grain: f64) -> f64 {
-        let b2 = self.set.bailout() * self.set.bailout();
+        let b2 = self.level();
         let last = LAST * grain;
         let mut s = if before < guess && guess < behind { guess } else { 0.5 * (before + behind) };
         while behind - before > grain {

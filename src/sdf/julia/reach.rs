@@ -35,49 +35,48 @@ use glam::DVec3;
 /// bounds shorter, hence still right: by 1/4000 a step where `α` = 1.
 const LEAST: f64 = 1.0 / 512.0;
 
-/// Points and directions of four places: what the iteration starts with, in the coordinates of [`Set`].
+/// What the iteration of four places starts with: the coordinates (2) of [`super::set`] and their derivatives along a line.
 #[derive(Clone, Copy)]
 pub(super) struct Start<V> {
-    pub a: V,
-    pub u: V,
-    pub p: V,
-    pub da: V,
-    pub du: V,
-    /// Half the derivative of `p`.
-    pub hp: V,
+    pub x: V,
+    pub y: V,
+    pub z: V,
+    pub dx: V,
+    pub dy: V,
+    /// Half the derivative of `z`.
+    pub half_dz: V,
 }
 
 /// The iterates at which four places are decided.
 #[derive(Clone, Copy)]
-pub(super) struct Iterates<V> {
-    /// `α²`, half its derivative along the line, `β` and `κ`.
-    pub n: V,
-    pub half_dn: V,
-    pub beta: V,
-    pub kappa: V,
+struct Iterates<V> {
+    /// `(2α)²`, and half its derivative along the line.
+    n: V,
+    half_dn: V,
+    beta: V,
+    kappa: V,
     /// Threshold of the level at which the place was decided.
-    pub threshold: V,
+    threshold: V,
 }
 
 /// Iterates four places until each is far enough outside to be decided, or to the last level.
 #[inline(always)]
-pub(super) fn iterate<V: Lanes>(set: &Set, start: Start<V>) -> Iterates<V> {
-    let Start { mut a, mut u, mut p, mut da, mut du, mut hp } = start;
-    let (two, four, c0, k) = (V::splat(2.0), V::splat(4.0), V::splat(set.c0), V::splat(set.k));
-    let least = V::splat(LEAST);
-    let (mut beta, mut kappa) = (V::splat(1.0), V::splat(0.0));
-    let zero = V::splat(0.0);
+fn iterate<V: Lanes>(set: &Set, start: Start<V>) -> Iterates<V> {
+    let Start { mut x, mut y, mut z, mut dx, mut dy, mut half_dz } = start;
+    let (half, c0, k, least) =
+        (V::splat(0.5), V::splat(set.c0_twice), V::splat(set.k_twice), V::splat(LEAST));
+    let (zero, mut beta, mut kappa) = (V::splat(0.0), V::splat(1.0), V::splat(0.0));
     let mut out = Iterates { n: zero, half_dn: zero, beta, kappa, threshold: zero };
-    let mut open = two.above(zero);
+    let mut open = half.above(zero);
     for (i, level) in set.levels.iter().enumerate() {
-        let (a2, u2, ada, udu) = (a * a, u * u, a * da, u * du);
-        let (n, half_dn) = (a2 + u2 + p, ada + udu + hp);
-        let last = i + 1 == set.levels.len();
+        let (x2, y2, xdx, ydy) = (x * x, y * y, x * dx, y * dy);
+        let n = x2 + (y2 + z);
         // At the last level what is still open is decided, before it what has gone far enough.
-        let decided = if last { open } else { open.and(n.above(V::splat(level.stop2))) };
+        let last = i + 1 == set.levels.len();
+        let decided = if last { open } else { open.and(n.above(V::splat(level.stop))) };
         if decided.any() {
             out.n = decided.pick(n, out.n);
-            out.half_dn = decided.pick(half_dn, out.half_dn);
+            out.half_dn = decided.pick(xdx + (ydy + half_dz), out.half_dn);
             out.beta = decided.pick(beta, out.beta);
             out.kappa = decided.pick(kappa, out.kappa);
             out.threshold = decided.pick(V::splat(level.threshold), out.threshold);
@@ -86,17 +85,16 @@ pub(super) fn iterate<V: Lanes>(set: &Set, start: Start<V>) -> Iterates<V> {
                 break;
             }
         }
-        let twice = (four * n + least).sqrt();
+        let twice = (n + least).sqrt();
         kappa = beta * beta + twice * kappa;
         beta = twice * beta;
-        let ta = a + a;
-        let next_da = two * (ada - udu - hp);
-        du = ta * du + (u + u) * da;
-        da = next_da;
-        hp = four * (ada * p + a2 * hp);
-        a = (a2 - u2) - (p - c0);
-        u = ta * u + k;
-        p = four * (a2 * p);
+        let next_dx = xdx - (ydy + half_dz);
+        dy = x * dy + y * dx;
+        dx = next_dx;
+        half_dz = xdx * z + x2 * half_dz;
+        y = x * y + k;
+        x = half * (x2 - (y2 + z)) + c0;
+        z = x2 * z;
     }
     out
 }
@@ -134,9 +132,10 @@ fn solve<V: Lanes>(gap: V, slope: V, kappa: V, l: V) -> V {
 pub(super) fn stretches<V: Lanes>(set: &Set, start: Start<V>) -> Stretches {
     let it = iterate(set, start);
     let zero = V::splat(0.0);
-    let alpha = it.n.sqrt();
+    let twice = it.n.sqrt();
+    let alpha = V::splat(0.5) * twice;
     let outside = alpha.above(it.threshold);
-    let (delta, l) = (it.half_dn / alpha, it.kappa / it.beta);
+    let (delta, l) = (V::splat(0.5) * it.half_dn / twice, it.kappa / it.beta);
     let gap = alpha - it.threshold;
     let (mut back, mut ahead);
     let inside = outside.pick(zero, V::splat(1.0));
@@ -144,7 +143,7 @@ pub(super) fn stretches<V: Lanes>(set: &Set, start: Start<V>) -> Stretches {
         // (4): the signs of gap and slope change, and κ grows; where |q| nearly vanishes, (1) tells more.
         let gap = outside.pick(gap, zero - gap);
         let slope = outside.pick(delta, alpha.above(zero).pick(zero - delta, zero));
-        let kappa = outside.pick(it.kappa, it.kappa + it.beta * it.beta / (alpha + alpha));
+        let kappa = outside.pick(it.kappa, it.kappa + it.beta * it.beta / twice);
         back = solve(gap, zero - slope, kappa, l);
         ahead = solve(gap, slope, kappa, l);
         let ball = ball(gap, it.beta, l);
@@ -177,16 +176,16 @@ fn ball<V: Lanes>(gap: V, beta: V, l: V) -> V {
 #[inline(always)]
 pub(super) fn balls<V: Lanes>(set: &Set, start: Start<V>) -> V {
     let it = iterate(set, start);
-    ball(it.n.sqrt() - it.threshold, it.beta, it.kappa / it.beta)
+    ball(V::splat(0.5) * it.n.sqrt() - it.threshold, it.beta, it.kappa / it.beta)
 }
 
 /// Radius of a ball about a point that holds no point of the surface.
 pub(super) fn free(set: &Set, at: DVec3) -> f64 {
-    let Reduced { a, u, across } = set.reduced(at, set.w());
+    let at = Reduced::doubled(set.reduced(at, set.w()));
     let still = Plain::splat(0.0);
-    let (a, u, p) = (Plain::splat(a), Plain::splat(u), Plain::splat(across.length_squared()));
-    let it = iterate(set, Start { a, u, p, da: still, du: still, hp: still });
-    let gap = it.n.sqrt() - it.threshold;
+    let [x, y, z] = at.map(Plain::splat);
+    let it = iterate(set, Start { x, y, z, dx: still, dy: still, half_dz: still });
+    let gap = Plain::splat(0.5) * it.n.sqrt() - it.threshold;
     let gap = gap.above(still).pick(gap, still - gap);
     ball(gap, it.beta, it.kappa / it.beta).array()[0]
 }
