@@ -190,13 +190,17 @@ impl Tally {
         self.rays.iter().sum()
     }
 
-    /// Adds another count to this one.
-    pub fn add(&mut self, other: &Tally) {
-        for (sum, n) in self.rays.iter_mut().zip(other.rays) {
+    /// Both counts together.
+    pub fn plus(&self, other: &Tally) -> Tally {
+        let mut rays = self.rays;
+        for (sum, n) in rays.iter_mut().zip(other.rays) {
             *sum += n;
         }
-        self.shape_tests += other.shape_tests;
-        self.node_visits += other.node_visits;
+        Tally {
+            rays,
+            shape_tests: self.shape_tests + other.shape_tests,
+            node_visits: self.node_visits + other.node_visits,
+        }
     }
 }
 
