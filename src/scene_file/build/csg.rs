@@ -83,7 +83,8 @@ impl Workshop<'_> {
             }
             (None, [_, second, ..]) => {
                 let found = format!("{} of them", block.children.len());
-                let d = wrong("the `CSG` holds several solids").expected("one solid or operation").found(found);
+                let d =
+                    wrong("the `CSG` holds several solids").expected("one solid or operation").found(found);
                 let d = d.help("put them into `Union { … }`, `Difference { … }` or `Intersection { … }`");
                 log.push(Diagnostic { span: second.keyword.clone(), ..d });
                 None
@@ -135,9 +136,14 @@ impl Workshop<'_> {
         if block.rule.role != Role::Operation {
             return if name == "CSG" { self.whole(block, from, log) } else { leaf(block, from, log) };
         }
-        if let Some(entry) = block.entries.iter().find(|e| e.param.name.ends_with("Type") && place == Where::Scene) {
-            let d = Diagnostic::error(entry.keyword.clone(), format!("`{}` has no place here", entry.param.name));
-            log.push(d.expected("the operands themselves inside the braces; names of operands are for `.csg` files"));
+        if let Some(entry) =
+            block.entries.iter().find(|e| e.param.name.ends_with("Type") && place == Where::Scene)
+        {
+            let d =
+                Diagnostic::error(entry.keyword.clone(), format!("`{}` has no place here", entry.param.name));
+            log.push(d.expected(
+                "the operands themselves inside the braces; names of operands are for `.csg` files",
+            ));
             return None;
         }
         if block.children.len() < 2 {
@@ -148,7 +154,8 @@ impl Workshop<'_> {
         let from = From { map: from.map * transformation(block), ..from };
         let all: Vec<Option<Made>> = block.children.iter().map(|c| self.part(c, from, place, log)).collect();
         let all: Vec<Made> = all.into_iter().collect::<Option<_>>()?; // after all of them have spoken
-        let (trees, materials): (Vec<Tree>, Vec<Vec<usize>>) = all.into_iter().map(|m| (m.tree, m.materials)).unzip();
+        let (trees, materials): (Vec<Tree>, Vec<Vec<usize>>) =
+            all.into_iter().map(|m| (m.tree, m.materials)).unzip();
         Some(Made { tree: Tree::all(operation(block)?, trees)?, materials: materials.concat() })
     }
 

@@ -115,7 +115,8 @@ fn shape(block: &Block) -> Made {
     match block.rule.name {
         "Plane" => Ok(plane(block, map)?.shape()),
         "Disc" => Ok(placed(map, |by| {
-            let disc = Disc::new(vector(block, "Center") + by, vector(block, "Normal"), scalar(block, "Radius"))?;
+            let disc =
+                Disc::new(vector(block, "Center") + by, vector(block, "Normal"), scalar(block, "Radius"))?;
             Ok(disc.with_sides(sides(block)))
         })?
         .shape()),
