@@ -85,7 +85,7 @@ impl Integrator for Local {
             Some(Met::Object(i, crossing)) => {
                 let hit = scene.hit(ray, i, &crossing);
                 trace.hit(i, &hit);
-                let material = &scene.materials[scene.objects[i].material];
+                let material = &scene.materials[scene.objects[i].material(hit.part)];
                 match self.stage {
                     Stage::Visibility => material.diffuse,
                     stage => Lighting { stage, scene, sampler, scratch, trace }.leaving(ray, &hit, material),

@@ -73,6 +73,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &[],
         builds_on: &[(1, "the camera's right, up and forward"), (6, "shapes along the axes")],
     },
+    Entry {
+        number: 10,
+        name: "csg",
+        question: "How do spans along a ray make solids out of solids, and when do the documents' rules break?",
+        chapter: "Surfaces",
+        introduces: &["csg", "shape::cylinder"],
+        builds_on: &[(3, "a scene, a light, a picture"), (4, "rays along faces"), (7, "a shape under a map")],
+    },
 ];
 
 impl Entry {
