@@ -3,8 +3,10 @@
 //! The outline is looked at along the axis its normal is nearest to, so that corners keep their coordinates to the bit
 //! and every turn has an exact sign. Convex outlines become fans; others lose one ear after the other (Meisters 1975).
 
+use super::Polygons;
 use crate::num::U;
 use crate::num::expansion::Expansion;
+use crate::shape::ShapeError;
 use crate::shape::triangle::largest_axis;
 use glam::{DVec2, DVec3};
 use std::collections::VecDeque;
@@ -188,4 +190,56 @@ impl<'a> Ears<'a> {
         self.cut(last, out);
         outline
     }
+}
+
+/// Why polygons make no mesh.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum MeshError {
+    #[error(transparent)]
+    Shape(#[from] ShapeError),
+    #[error(
+        "face {face}: expected at most {} corners where an outline is not convex, found {corners}",
+        MOST_CONCAVE
+    )]
+    TooLong { face: usize, corners: usize },
+}
+
+impl Polygons {
+    /// The polygons with every face cut into triangles, which keep their corners' attributes.
+    ///
+    /// - Errors: a concave outline of more than [`MOST_CONCAVE`] corners.
+    pub fn triangulated(&self) -> Result<Cut, MeshError> {
+        let mut mesh = Polygons::of_points(self.points.clone());
+        (mesh.uvs.values, mesh.normals.values) = (self.uvs.values.clone(), self.normals.values.clone());
+        let mut cut = Cut { mesh, origin: Vec::new(), crossed: 0 };
+        let (mut outline, mut triangles) = (Vec::new(), Vec::new());
+        for f in 0..self.len() {
+            outline.clear();
+            triangles.clear();
+            outline.extend(self.outline(f));
+            match triangulate(&outline, &mut triangles) {
+                Outline::TooLong => {
+                    return Err(MeshError::TooLong { face: f, corners: outline.len() });
+                }
+                Outline::Crossed => cut.crossed += 1,
+                Outline::Simple => {}
+            }
+            let start = self.range(f).start;
+            for t in &triangles {
+                cut.mesh.push(&t.map(|k| self.corner(start + k as usize)), self.parts[f]);
+                cut.origin.push(f as u32);
+            }
+        }
+        Ok(cut)
+    }
+}
+
+/// Polygons cut into triangles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cut {
+    pub mesh: Polygons,
+    /// For each triangle the face it comes from.
+    pub origin: Vec<u32>,
+    /// Faces whose outline crosses itself or has no area.
+    pub crossed: usize,
 }
