@@ -11,7 +11,7 @@
 //! | 0 | [`num`], [`color`] | polynomial roots, rounding bounds, compensated sums, quadrature, statistics; colour spaces |
 //! | 1 | [`ray`], [`frame`], [`bounds`] | rays, hits, the trace hook; rotations and bases; boxes and spheres |
 //! | 2 | [`sample`], [`film`], [`measure`] | random numbers and warps; images and their metrics; cost and error of methods |
-//! | 3 | [`shape`] | one file per surface: where a ray meets it, and its solid's spans |
+//! | 3 | [`shape`], [`accel`] | one file per surface: where a ray meets it, and its solid's spans; the nearest of many things with bounds |
 //! | 4 | [`light`], [`mesh`] | emission and its fall-off; polygons, half-edges, triangles in a hierarchy of boxes |
 //! | 5 | [`scene`] | camera, objects, materials |
 //! | 6 | [`scene_file`] | readers of the documents' formats |
@@ -22,6 +22,7 @@
 //!
 //! The table is law: `tests/laws/architecture.rs` reads it, and fails on an import that goes up or sideways.
 
+pub mod accel;
 pub mod bounds;
 pub mod color;
 pub mod command;

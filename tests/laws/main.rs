@@ -3,6 +3,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod accel;
 mod architecture;
 mod certified;
 mod figure;
