@@ -6,6 +6,7 @@
 //! belongs to one side: over a closed mesh they cancel, whatever the line hits.
 
 use super::Mesh;
+use crate::num::certified::power_of_two_below;
 use crate::ray::{Crossing, Ray, Silent, Span};
 use crate::shape::triangle::{Facing, PreparedRay, ShearedRay};
 
@@ -27,13 +28,29 @@ const NEAR_EDGE: f64 = 1e-6;
 struct Line<'a> {
     mesh: &'a Mesh,
     prepared: PreparedRay,
+    /// Lengths times this are about 1, so that exact products neither vanish nor overflow: a power of two.
+    scale: f64,
+    /// The ray in that measure, for sides and windings.
+    exact: PreparedRay,
     sheared: ShearedRay,
     met: Vec<Met>,
 }
 
 impl<'a> Line<'a> {
     fn new(mesh: &'a Mesh, ray: &Ray) -> Self {
-        Line { mesh, prepared: PreparedRay::new(ray), sheared: ShearedRay::new(ray), met: Vec::new() }
+        let b = mesh.bounds;
+        let size = b.min.abs().max(b.max.abs()).max(ray.origin.abs()).max_element();
+        let scale = 1.0 / power_of_two_below(size);
+        let along = power_of_two_below(ray.direction.abs().max_element());
+        let exact = Ray::new(ray.origin * scale, ray.direction / along);
+        Line {
+            mesh,
+            prepared: PreparedRay::new(ray),
+            scale,
+            exact: PreparedRay::new(&exact),
+            sheared: ShearedRay::new(&exact),
+            met: Vec::new(),
+        }
     }
 
     fn meet(&mut self, face: u32) {
@@ -42,10 +59,11 @@ impl<'a> Line<'a> {
         let through = if m.facing == Facing::Front { 1 } else { -1 };
         let mut met = Met { t: m.t, face, at: None, entered: through };
         if m.b.iter().any(|b| *b < NEAR_EDGE) {
-            let side = |i: usize| self.prepared.exact_side(corners[(i + 1) % 3], corners[(i + 2) % 3]) == 0;
+            let [a, b, c] = corners.map(|v| v * self.scale);
+            let side = |a, b| self.exact.exact_side(a, b) == 0;
             let point = |k: usize| self.mesh.triangles.corner(3 * face as usize + k % 3).point;
             // Side i lies opposite corner i.
-            met.at = match [side(0), side(1), side(2)] {
+            met.at = match [side(b, c), side(c, a), side(a, b)] {
                 [true, true, _] => Some([point(2); 2]),
                 [true, _, true] => Some([point(1); 2]),
                 [_, true, true] => Some([point(0); 2]),
@@ -54,8 +72,9 @@ impl<'a> Line<'a> {
             };
             met.at = met.at.map(|[a, b]| [a.min(b), a.max(b)]);
             if met.at.is_some() {
-                let [a, b, c] = corners;
-                let step = |a, b| self.sheared.winding_step(a, b);
+                // What the ray enters shows its front, counter-clockwise to one who looks along the ray, in coordinates
+                // whose third runs along the ray: there it turns the other way.
+                let step = |a, b| self.sheared.winding_step(b, a);
                 met.entered = step(a, b) + step(b, c) + step(c, a);
             }
         }
@@ -75,8 +94,9 @@ impl<'a> Line<'a> {
             is_same
         });
         // Where surfaces touch, the solid goes on: enter before leaving.
-        self.met
-            .sort_unstable_by(|a, b| a.t.total_cmp(&b.t).then(b.entered.cmp(&a.entered)).then(a.face.cmp(&b.face)));
+        self.met.sort_unstable_by(|a, b| {
+            a.t.total_cmp(&b.t).then(b.entered.cmp(&a.entered)).then(a.face.cmp(&b.face))
+        });
         self.met
     }
 }

@@ -36,7 +36,7 @@ pub struct Mesh {
     tangents: Tangents,
     /// For each triangle the face of the polygons that it comes from.
     origin: Vec<u32>,
-    bounds: Aabb,
+    pub(super) bounds: Aabb,
     topology: Topology,
     repairs: Repairs,
 }
@@ -254,7 +254,11 @@ impl Shape for Mesh {
             Some([a, b, c]) => {
                 let (d1, d2, d) = (b - a, c - a, uv - a);
                 let area = d1.perp_dot(d2);
-                if area == 0.0 { (1.0 / 3.0, 1.0 / 3.0) } else { (d.perp_dot(d2) / area, d1.perp_dot(d) / area) }
+                if area == 0.0 {
+                    (1.0 / 3.0, 1.0 / 3.0)
+                } else {
+                    (d.perp_dot(d2) / area, d1.perp_dot(d) / area)
+                }
             }
         };
         v0 * (1.0 - b1 - b2) + v1 * b1 + v2 * b2
@@ -277,7 +281,9 @@ impl Shape for Mesh {
 
     /// Lifted to the surface that the corners' normals suggest: see [`terminator_point`].
     fn lifted(&self, hit: &Hit, n: DVec3) -> DVec3 {
-        let Some(normals) = self.normals(hit.face, hit.ng).filter(|_| hit.n != hit.ng) else { return hit.point };
+        let Some(normals) = self.normals(hit.face, hit.ng).filter(|_| hit.n != hit.ng) else {
+            return hit.point;
+        };
         let seen = if n.dot(hit.ng) < 0.0 { normals.map(|n| -n) } else { normals };
         terminator_point(self.weights(hit.face, hit.point), self.corners[hit.face as usize], seen)
     }

@@ -32,9 +32,8 @@ fn patch(columns: u32, rows: u32, at: impl Fn(u32, u32) -> (DVec3, DVec3)) -> Po
     let wide = columns + 1;
     let nodes: Vec<(u32, u32)> = (0..=rows).flat_map(|j| (0..wide).map(move |i| (i, j))).collect();
     let (points, normals): (Vec<DVec3>, Vec<DVec3>) = nodes.iter().map(|&(i, j)| at(i, j)).unzip();
-    let share = |(i, j): &(u32, u32)| {
-        dvec2(f64::from(*i) / f64::from(columns), f64::from(*j) / f64::from(rows))
-    };
+    let share =
+        |(i, j): &(u32, u32)| dvec2(f64::from(*i) / f64::from(columns), f64::from(*j) / f64::from(rows));
     let mut mesh = Polygons::of_points(points);
     mesh.uvs = Attribute { values: nodes.iter().map(share).collect(), corners: Vec::new() };
     mesh.normals = Attribute { values: normals, corners: Vec::new() };
@@ -112,7 +111,7 @@ fn cap(mesh: &mut Polygons, radius: f64, y: f64, normal: DVec3, n: u32) {
         .map(|i| {
             let way = on_circle(i, n);
             mesh.points.push(dvec3(radius * way.x, y, -radius * way.y) + 0.0);
-            mesh.uvs.values.push(dvec2(0.5 + 0.5 * way.x, 0.5 - 0.5 * way.y * normal.y));
+            mesh.uvs.values.push(dvec2(0.5 + 0.5 * way.x, 0.5 + 0.5 * way.y * normal.y));
             let [point, uv] = [mesh.points.len() - 1, mesh.uvs.values.len() - 1].map(|k| k as u32);
             Corner { point, uv, normal: mesh.normals.values.len() as u32 }
         })

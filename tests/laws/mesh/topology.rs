@@ -1,7 +1,9 @@
 //! Polygons, half-edges, tessellations.
 
 use glam::{DAffine3, DVec2, DVec3, dvec2, dvec3};
-use lightbench::mesh::{Corner, HalfEdges, NONE, NotAManifold, Outline, Polygons, Tangents, Topology, tessellate, triangulate};
+use lightbench::mesh::{
+    Corner, HalfEdges, NONE, NotAManifold, Outline, Polygons, Tangents, Topology, tessellate, triangulate,
+};
 use lightbench::num::U;
 use proptest::prelude::*;
 use proptest::test_runner::Config;
@@ -53,7 +55,10 @@ fn half_edges_lead_back_to_the_same_polygons() {
         for h in 0..half.halves.len() as u32 {
             let twin = half.twin(h).expect("closed");
             assert_eq!(half.twin(twin), Some(h));
-            assert_eq!(half.halves[half.halves[h as usize].next as usize].origin, half.halves[twin as usize].origin);
+            assert_eq!(
+                half.halves[half.halves[h as usize].next as usize].origin,
+                half.halves[twin as usize].origin
+            );
         }
     }
 }
@@ -69,7 +74,8 @@ fn half_edges_find_what_a_scan_finds() {
     for mesh in [whole, open, tessellate::torus(2.0, 0.5, 7, 5)] {
         let half = HalfEdges::of(&mesh).expect("a manifold");
         for v in 0..mesh.points.len() as u32 {
-            let mut around: Vec<usize> = half.around(v).map(|h| half.halves[h as usize].face as usize).collect();
+            let mut around: Vec<usize> =
+                half.around(v).map(|h| half.halves[h as usize].face as usize).collect();
             around.sort_unstable();
             assert!(mesh.faces_around(v).eq(around.iter().copied()));
             let mut ring: Vec<u32> = half.one_ring(v).collect();
@@ -88,7 +94,8 @@ fn half_edges_find_what_a_scan_finds() {
         }
         for f in 0..mesh.len() as u32 {
             for g in half.neighbours(f) {
-                let shared = mesh.face(f as usize).iter().filter(|v| mesh.face(g as usize).contains(v)).count();
+                let shared =
+                    mesh.face(f as usize).iter().filter(|v| mesh.face(g as usize).contains(v)).count();
                 assert!(shared >= 2);
                 assert!(half.neighbours(g).any(|back| back == f));
             }
@@ -145,7 +152,7 @@ fn volumes_and_areas_converge_quadratically_to_closed_forms() {
     ];
     for (name, make, volume, area) in cases {
         let error = |n: u32| {
-            let mesh = triangles(&make(n));
+            let mesh = make(n).triangulated().expect("short outlines").mesh;
             assert!(mesh.volume() > 0.0, "{name} is inside out");
             [volume - mesh.volume(), area - mesh.area()]
         };
@@ -156,20 +163,9 @@ fn volumes_and_areas_converge_quadratically_to_closed_forms() {
             assert!((ratio - 4.0).abs() < 40.0 / (64.0 * 64.0), "{name} {i}: {ratio}");
         }
     }
-    assert_eq!(tessellate::cube(4).volume(), 1.0);
+    // 96 triangles of exact numbers, summed.
+    assert!((tessellate::cube(4).volume() - 1.0).abs() <= 128.0 * U);
     assert_eq!(tessellate::cube(4).area(), 6.0);
-}
-
-/// Every face cut into triangles.
-fn triangles(mesh: &Polygons) -> Polygons {
-    let mut out = Polygons::of_points(mesh.points.clone());
-    for f in 0..mesh.len() {
-        let (face, outline): (_, Vec<DVec3>) = (mesh.face(f), mesh.outline(f).collect());
-        let mut cut = Vec::new();
-        assert_eq!(triangulate(&outline, &mut cut), Outline::Simple);
-        cut.iter().for_each(|t| out.push_points(&t.map(|k| face[k as usize])));
-    }
-    out
 }
 
 #[test]
@@ -180,9 +176,13 @@ fn tessellated_points_lie_on_the_surface_and_normals_point_out() {
             for c in mesh.range(f) {
                 let Some(n) = mesh.normals.get(c) else { continue };
                 assert!((n.length() - 1.0).abs() <= 8.0 * U, "{name}");
-                // Even a triangle's side sees its surface's normal within 70°.
-                assert!(n.dot(flat) > 0.3, "{name}: {n} {flat}");
-                assert!(mesh.uvs.get(c).is_none_or(|uv| uv.cmpge(DVec2::ZERO).all() && uv.cmple(DVec2::ONE).all()));
+                // The coarsest are prisms and worse; of the others every side sees its surface's normals within 70°.
+                assert!(name.starts_with("coarsest") || n.dot(flat) > 0.3, "{name}: {n} {flat}");
+                assert!(
+                    mesh.uvs
+                        .get(c)
+                        .is_none_or(|uv| uv.cmpge(DVec2::ZERO).all() && uv.cmple(DVec2::ONE).all())
+                );
             }
         }
     }
@@ -297,12 +297,18 @@ fn computed_normals_are_smooth_on_a_sphere_and_sharp_on_a_cube() {
 
 #[test]
 fn tangents_are_orthonormal_and_follow_u() {
-    for mesh in [tessellate::sphere(16, 8), tessellate::torus(2.0, 0.5, 9, 7), tessellate::cylinder(12), tessellate::cube(2)] {
-        let mesh = mesh_of_triangles(&mesh);
+    for mesh in [
+        tessellate::sphere(16, 8),
+        tessellate::torus(2.0, 0.5, 9, 7),
+        tessellate::cylinder(12),
+        tessellate::cube(2),
+    ] {
+        let mesh = mesh.triangulated().expect("short outlines").mesh;
         let tangents = Tangents::of(&mesh);
         for f in 0..mesh.len() {
             for c in mesh.range(f) {
-                let (t, n) = (tangents.values[tangents.corners[c] as usize], mesh.normals.get(c).expect("given"));
+                let (t, n) =
+                    (tangents.values[tangents.corners[c] as usize], mesh.normals.get(c).expect("given"));
                 assert!((t.direction.length() - 1.0).abs() <= 8.0 * U);
                 assert!(t.direction.dot(n).abs() <= 16.0 * U);
                 assert_eq!(t.handedness, 1.0, "a texture as seen from outside");
@@ -310,7 +316,7 @@ fn tangents_are_orthonormal_and_follow_u() {
         }
     }
     // On the torus u runs along the ring: the tangent is e_φ.
-    let ring = mesh_of_triangles(&tessellate::torus(2.0, 0.5, 64, 32));
+    let ring = tessellate::torus(2.0, 0.5, 64, 32).triangulated().expect("short outlines").mesh;
     let tangents = Tangents::of(&ring);
     for c in 0..ring.corner_count() {
         let p = ring.points[ring.corner(c).point as usize];
@@ -336,17 +342,4 @@ fn mirrored_and_missing_textures_are_told_apart() {
     assert!((0..3).all(|c| of(c).direction == DVec3::X && of(c).handedness == 1.0));
     assert!((3..6).all(|c| of(c).direction == DVec3::NEG_X && of(c).handedness == -1.0));
     assert!((6..12).all(|c| of(c).direction.is_normalized() && of(c).direction.z == 0.0));
-}
-
-fn mesh_of_triangles(mesh: &Polygons) -> Polygons {
-    let mut out = mesh.clone();
-    out.clear();
-    for f in 0..mesh.len() {
-        let outline: Vec<DVec3> = mesh.outline(f).collect();
-        let mut cut = Vec::new();
-        triangulate(&outline, &mut cut);
-        let start = mesh.range(f).start;
-        cut.iter().for_each(|t| out.push(&t.map(|k| mesh.corner(start + k as usize)), mesh.parts[f]));
-    }
-    out
 }
