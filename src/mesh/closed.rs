@@ -59,19 +59,12 @@ impl Shape for ClosedMesh {
     }
 }
 
-/// A direction along no axis, diagonal or other plane that meshes are likely to have faces in.
-const ASKEW: DVec3 = DVec3::new(0.537_912_340_1, 0.318_764_901_3, 0.780_423_117_9);
-
 impl Solid for ClosedMesh {
     fn spans(&self, ray: &Ray, out: &mut Vec<Span>) {
         line::spans(&self.0, ray, out);
     }
 
     fn contains(&self, p: DVec3) -> bool {
-        let mut spans = Vec::new();
-        if self.0.bounds().contains(p) {
-            line::spans(&self.0, &Ray::new(p, ASKEW), &mut spans);
-        }
-        spans.iter().any(|s| s.enter.t <= 0.0 && 0.0 <= s.leave.t)
+        self.0.bounds().contains(p) && line::contains(&self.0, p)
     }
 }

@@ -8,6 +8,7 @@
 use super::Mesh;
 use crate::num::certified::power_of_two_below;
 use crate::ray::{Crossing, Ray, Silent, Span};
+use glam::DVec3;
 use crate::shape::triangle::{Facing, PreparedRay, ShearedRay};
 
 /// A meeting of the line with the surface.
@@ -55,7 +56,7 @@ impl<'a> Line<'a> {
 
     fn meet(&mut self, face: u32) {
         let corners = self.mesh.corners[face as usize];
-        let Some(m) = self.prepared.meet(corners) else { return };
+        let Some(m) = self.prepared.meet(corners).filter(|m| m.t.is_finite()) else { return };
         let through = if m.facing == Facing::Front { 1 } else { -1 };
         let mut met = Met { t: m.t, face, at: None, entered: through };
         if m.b.iter().any(|b| *b < NEAR_EDGE) {
@@ -142,3 +143,19 @@ pub fn spans(mesh: &Mesh, ray: &Ray, out: &mut Vec<Span>) {
         }
     }
 }
+
+/// Is the point inside a closed mesh, or on it?
+///
+/// Ahead of a point inside, the surface is left once more than it is entered.
+pub fn contains(mesh: &Mesh, p: DVec3) -> bool {
+    let ray = Ray::new(p, ASKEW);
+    let mut line = Line::new(mesh, &ray);
+    mesh.bvh.each(&ray, 0.0, f64::INFINITY, &mut Silent, |face| line.meet(face));
+    if line.met.iter().any(|m| m.t == 0.0) {
+        return true;
+    }
+    line.met.iter().filter(|m| m.t > 0.0).map(|m| m.entered).sum::<i32>() < 0
+}
+
+/// A direction along no axis, diagonal or other plane that meshes are likely to have faces in.
+const ASKEW: DVec3 = DVec3::new(0.537_912_340_1, 0.318_764_901_3, 0.780_423_117_9);
