@@ -86,7 +86,7 @@ impl Integrator for Local {
             Some(Met::Object(i, crossing)) => {
                 let hit = scene.hit(ray, i, &crossing);
                 trace.hit(i, &hit);
-                let material = &scene.materials[scene.objects[i].material];
+                let material = &scene.materials[scene.objects[i].material(hit.part)];
                 match self.stage {
                     Stage::Visibility => material.diffuse,
                     stage => {

@@ -95,6 +95,10 @@ impl<S: ?Sized + Shape> Shape for Instance<S> {
         Aabb::new(mapped.min - slack, mapped.max + slack)
     }
 
+    fn parts(&self) -> u32 {
+        self.shape.parts()
+    }
+
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
         self.shape.blocks(&self.local(ray), t_max)
     }

@@ -135,6 +135,11 @@ pub trait Shape: Debug + Send + Sync {
     /// A box that holds the surface, rounded outwards; infinite for unbounded surfaces.
     fn bounds(&self) -> Aabb;
 
+    /// How many parts its crossings name, from 0 on: the leaves of a compound, else one.
+    fn parts(&self) -> u32 {
+        1
+    }
+
     /// Does something stand in the way for some `0 < t < t_max`?
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
         self.nearest(ray, 0.0, t_max).is_some()
