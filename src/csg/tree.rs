@@ -158,7 +158,8 @@ impl Builder {
             if far.is_empty() || near.is_empty() {
                 nodes = if far.is_empty() { near } else { far };
             } else {
-                let (far, near) = (self.halved(operation, &mut { far }), self.halved(operation, &mut { near }));
+                let (far, near) =
+                    (self.halved(operation, &mut { far }), self.halved(operation, &mut { near }));
                 return self.pair(operation, far, near);
             }
         }

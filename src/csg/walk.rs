@@ -89,13 +89,7 @@ pub(super) struct Walk<'a> {
 }
 
 /// Lets `look` walk along the ray; boundaries are right from `t_min` to `t_max`.
-pub(super) fn walk<T>(
-    csg: &Csg,
-    ray: &Ray,
-    t_min: f64,
-    t_max: f64,
-    look: impl FnOnce(&mut Walk) -> T,
-) -> T {
+pub(super) fn walk<T>(csg: &Csg, ray: &Ray, t_min: f64, t_max: f64, look: impl FnOnce(&mut Walk) -> T) -> T {
     let mut scratch = SCRATCH.with_borrow_mut(Vec::pop).unwrap_or_default();
     scratch.spans.clear();
     scratch.walks += 1;
@@ -167,9 +161,7 @@ impl Walk<'_> {
         }
         let found = match self.csg.nodes[node].what {
             What::Leaf(leaf) => self.intersect(node, leaf),
-            What::Pair(operation, left, right) => {
-                self.merge(node, operation, left as usize, right as usize)
-            }
+            What::Pair(operation, left, right) => self.merge(node, operation, left as usize, right as usize),
         };
         self.scratch.states[node].ahead = found;
         found

@@ -8,8 +8,8 @@
 use super::Mesh;
 use crate::num::certified::power_of_two_below;
 use crate::ray::{Crossing, Ray, Silent, Span};
-use glam::DVec3;
 use crate::shape::triangle::{Facing, PreparedRay, ShearedRay};
+use glam::DVec3;
 
 /// A meeting of the line with the surface.
 #[derive(Clone, Copy, Debug)]

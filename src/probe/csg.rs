@@ -16,7 +16,10 @@ pub(super) const CSG: Topic = Topic {
             also (cyl p0 p1 r), (union a b ...), (inter a b ...)",
     methods: &[
         ("root_diagram", "operands merged side by side, ties as the surfaces' errors allow"),
-        ("as_printed", "pairs of neighbours deleted by their marks, as [D 5.9.1.6] prints it; spans for t > 0"),
+        (
+            "as_printed",
+            "pairs of neighbours deleted by their marks, as [D 5.9.1.6] prints it; spans for t > 0",
+        ),
     ],
     inputs: &[
         ("expr", "lengths"),
@@ -118,7 +121,10 @@ impl<'a> Words<'a> {
 
     fn number(&mut self) -> Result<f64, String> {
         let word = self.next();
-        word.parse().ok().filter(|x: &f64| x.is_finite()).ok_or_else(|| format!("a number in place of `{word}`"))
+        word.parse()
+            .ok()
+            .filter(|x: &f64| x.is_finite())
+            .ok_or_else(|| format!("a number in place of `{word}`"))
     }
 
     fn vector(&mut self) -> Result<DVec3, String> {

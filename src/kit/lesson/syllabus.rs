@@ -73,6 +73,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &[],
         builds_on: &[(1, "the camera's right, up and forward"), (6, "shapes along the axes")],
     },
+    Entry {
+        number: 11,
+        name: "meshes",
+        question: "How many triangles is a round thing worth, and what breaks a mesh?",
+        chapter: "Surfaces",
+        introduces: &["mesh"],
+        builds_on: &[(4, "a ray meets a triangle"), (6, "a ray meets a cylinder")],
+    },
 ];
 
 impl Entry {

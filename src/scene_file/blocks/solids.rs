@@ -54,6 +54,9 @@ pub const OPERATIONS: &[Rule] = &[
          `.csg` file it names two blocks of the file; the one block that none names is the whole. Solids of a `.csg` file whose \
          `Material` the scene does not declare have that of the `CSG`.",
     ),
-    operation("Difference", "What lies in the first of its solids and in no other [D Annex C]; written like `Union`."),
+    operation(
+        "Difference",
+        "What lies in the first of its solids and in no other [D Annex C]; written like `Union`.",
+    ),
     operation("Intersection", "What lies in all of its solids [D Annex C]; written like `Union`."),
 ];

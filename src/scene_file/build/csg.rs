@@ -1,14 +1,17 @@
 //! From blocks to solids made of solids.
 
+use super::mesh;
 use super::objects::{contradiction, lacks_numbers, solid};
 use super::transformation::transformation;
 use crate::csg::{Csg, MOST_DEPTH, Tree};
+use crate::mesh::ClosedMesh;
 use crate::scene::Object;
 use crate::scene_file::csg::{self, operation};
 use crate::scene_file::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::scene_file::format::{Role, State};
 use crate::scene_file::parse::Block;
 use crate::scene_file::source::ReadError;
+use crate::shape::Shape;
 use glam::DAffine3;
 use std::collections::HashMap;
 use std::path::Path;
@@ -83,7 +86,8 @@ impl Workshop<'_> {
             }
             (None, [_, second, ..]) => {
                 let found = format!("{} of them", block.children.len());
-                let d = wrong("the `CSG` holds several solids").expected("one solid or operation").found(found);
+                let d =
+                    wrong("the `CSG` holds several solids").expected("one solid or operation").found(found);
                 let d = d.help("put them into `Union { … }`, `Difference { … }` or `Intersection { … }`");
                 log.push(Diagnostic { span: second.keyword.clone(), ..d });
                 None
@@ -133,11 +137,20 @@ impl Workshop<'_> {
         let material = self.material(block, from.material, place, log);
         let from = From { material, depth: from.depth + 1, ..from };
         if block.rule.role != Role::Operation {
-            return if name == "CSG" { self.whole(block, from, log) } else { leaf(block, from, log) };
+            return match name {
+                "CSG" => self.whole(block, from, log),
+                "Mesh" => self.mesh(block, from, log),
+                _ => leaf(block, from, log),
+            };
         }
-        if let Some(entry) = block.entries.iter().find(|e| e.param.name.ends_with("Type") && place == Where::Scene) {
-            let d = Diagnostic::error(entry.keyword.clone(), format!("`{}` has no place here", entry.param.name));
-            log.push(d.expected("the operands themselves inside the braces; names of operands are for `.csg` files"));
+        if let Some(entry) =
+            block.entries.iter().find(|e| e.param.name.ends_with("Type") && place == Where::Scene)
+        {
+            let d =
+                Diagnostic::error(entry.keyword.clone(), format!("`{}` has no place here", entry.param.name));
+            log.push(d.expected(
+                "the operands themselves inside the braces; names of operands are for `.csg` files",
+            ));
             return None;
         }
         if block.children.len() < 2 {
@@ -148,8 +161,27 @@ impl Workshop<'_> {
         let from = From { map: from.map * transformation(block), ..from };
         let all: Vec<Option<Made>> = block.children.iter().map(|c| self.part(c, from, place, log)).collect();
         let all: Vec<Made> = all.into_iter().collect::<Option<_>>()?; // after all of them have spoken
-        let (trees, materials): (Vec<Tree>, Vec<Vec<usize>>) = all.into_iter().map(|m| (m.tree, m.materials)).unzip();
+        let (trees, materials): (Vec<Tree>, Vec<Vec<usize>>) =
+            all.into_iter().map(|m| (m.tree, m.materials)).unzip();
         Some(Made { tree: Tree::all(operation(block)?, trees)?, materials: materials.concat() })
+    }
+
+    /// A closed mesh; all its faces have the material at hand.
+    fn mesh(&mut self, block: &Block, from: From, log: &mut Vec<Diagnostic>) -> Option<Made> {
+        let file = mesh::read(block, self.folder, &mut self.files, log)?;
+        match ClosedMesh::new(mesh::made(block, &file.polygons, from.map, log)?) {
+            Ok(solid) => {
+                let materials = vec![from.material; solid.parts() as usize];
+                Some(Made { tree: Tree::Leaf(Box::new(solid)), materials })
+            }
+            Err(open) => {
+                let edges = open.topology().unbalanced_edges;
+                let d =
+                    Diagnostic::error(block.span("Source"), "the mesh encloses nothing: it is not closed");
+                log.push(d.expected("two faces at every edge").found(format!("{edges} edges without")));
+                None
+            }
+        }
     }
 
     /// The material of a block's own, if it names one that the scene declares.

@@ -99,7 +99,8 @@ impl Links {
     /// The operation that nobody names, or else the solid; the others are told.
     fn find_root(&self, blocks: &[Block], log: &mut Vec<Diagnostic>) -> Option<usize> {
         let is_operation = |i: &usize| operation(&blocks[*i]).is_some();
-        let (operations, solids): (Vec<usize>, Vec<usize>) = self.tops.iter().copied().partition(is_operation);
+        let (operations, solids): (Vec<usize>, Vec<usize>) =
+            self.tops.iter().copied().partition(is_operation);
         let (root, others) = match (&operations[..], &solids[..]) {
             ([root, others @ ..], _) => (*root, others),
             ([], [root, others @ ..]) if blocks.iter().all(|b| operation(b).is_none()) => (*root, others),
@@ -151,12 +152,7 @@ impl Links {
 }
 
 /// What an operation names; what is missing is told.
-fn operands(
-    block: &Block,
-    blocks: &[Block],
-    whole: bool,
-    log: &mut Vec<Diagnostic>,
-) -> [Option<usize>; 2] {
+fn operands(block: &Block, blocks: &[Block], whole: bool, log: &mut Vec<Diagnostic>) -> [Option<usize>; 2] {
     if operation(block).is_none() {
         return [None, None];
     }

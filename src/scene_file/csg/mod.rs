@@ -60,17 +60,20 @@ pub fn read(source: &str, name: &str) -> CsgFile {
 ///
 /// - Errors: a file that cannot be read at all; one that is wrong comes with its remarks.
 pub fn read_file(path: &Path) -> Result<CsgFile, ReadError> {
-    Ok(read(&source::text(path)?, &path.display().to_string()))
+    Ok(read(&source::text(path, source::LARGEST_FILE)?, &path.display().to_string()))
 }
 
 /// A block that has no place in such a file.
 fn foreign(block: &Block) -> Option<Diagnostic> {
     let name = block.rule.name;
     if let Some(inner) = block.children.first() {
-        let d = Diagnostic::error(inner.keyword.clone(), format!("`{}` stands inside of `{name}`", inner.rule.name));
-        return Some(
-            d.expected("blocks side by side, named by `LeftType`, `LeftIndex`, `RightType` and `RightIndex`"),
+        let d = Diagnostic::error(
+            inner.keyword.clone(),
+            format!("`{}` stands inside of `{name}`", inner.rule.name),
         );
+        return Some(d.expected(
+            "blocks side by side, named by `LeftType`, `LeftIndex`, `RightType` and `RightIndex`",
+        ));
     }
     let fits = matches!(block.rule.role, Role::Object | Role::Operation) && name != "CSG";
     let d = Diagnostic::error(block.keyword.clone(), format!("`{name}` is no part of a tree of solids"));

@@ -53,7 +53,8 @@ impl Writer {
         if found < 2 {
             return Err(NotWritten::Operands { name, line, expected: "two or more", found });
         }
-        let operands: Vec<Written> = block.children.iter().map(|c| self.node(c, &[])).collect::<Result<_, _>>()?;
+        let operands: Vec<Written> =
+            block.children.iter().map(|c| self.node(c, &[])).collect::<Result<_, _>>()?;
         let entries = || block.entries.iter().chain(more);
         let last = operands.len() - 1;
         let mut left = operands[0];
@@ -88,7 +89,6 @@ impl Writer {
         (name, index)
     }
 }
-
 
 fn transformations(block: &Block) -> impl Iterator<Item = &Entry> {
     block.entries.iter().filter(|e| matches!(e.param.name, "Translation" | "Rotation" | "Scale"))
