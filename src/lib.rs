@@ -11,8 +11,8 @@
 //! | 0 | [`num`], [`color`] | polynomial roots, rounding bounds, compensated sums, quadrature, statistics; colour spaces |
 //! | 1 | [`ray`], [`frame`], [`bounds`] | rays, hits, the trace hook; rotations and bases; boxes and spheres |
 //! | 2 | [`sample`], [`film`], [`measure`] | random numbers and warps; images and their metrics; cost and error of methods |
-//! | 3 | [`shape`] | one file per surface: where a ray meets it, and its solid's spans |
-//! | 4 | [`csg`], [`light`] | solids made of solids by root diagrams; emission and its fall-off |
+//! | 3 | [`shape`], [`accel`] | one file per surface: where a ray meets it, and its solid's spans; the nearest of many things with bounds |
+//! | 4 | [`csg`], [`light`], [`mesh`] | solids made of solids by root diagrams; emission and its fall-off; polygons, half-edges, triangles in a hierarchy of boxes |
 //! | 5 | [`scene`] | camera, objects, materials |
 //! | 6 | [`scene_file`] | readers of the documents' formats |
 //! | 8 | [`integrator`] | each turns a ray into radiance |
@@ -22,6 +22,7 @@
 //!
 //! The table is law: `tests/laws/architecture.rs` reads it, and fails on an import that goes up or sideways.
 
+pub mod accel;
 pub mod bounds;
 pub mod color;
 pub mod command;
@@ -32,6 +33,7 @@ pub mod integrator;
 pub mod kit;
 pub mod light;
 pub mod measure;
+pub mod mesh;
 pub mod num;
 pub mod probe;
 pub mod ray;

@@ -150,6 +150,12 @@ pub trait Shape: Debug + Send + Sync {
         true
     }
 
+    /// Where light is gathered that a shape's smooth normals `n` (on the side that is seen) let it show: the hit's point, or a
+    /// place near it from which a coarse shape does not stand in its own light.
+    fn lifted(&self, hit: &Hit, _n: DVec3) -> DVec3 {
+        hit.point
+    }
+
     /// Could the shape stand in the way of some segment of a fan whose hull overlaps its bounds? A "no" is certain.
     fn may_block(&self, _fan: &Fan) -> bool {
         true

@@ -3,6 +3,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod accel;
 mod architecture;
 mod certified;
 mod figure;
@@ -13,6 +14,7 @@ mod frame;
 mod lessons;
 mod local;
 mod measure;
+mod mesh;
 mod num;
 mod pinhole;
 mod polyhedron;

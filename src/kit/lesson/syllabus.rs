@@ -81,6 +81,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &["csg", "shape::cylinder"],
         builds_on: &[(3, "a scene, a light, a picture"), (4, "rays along faces"), (7, "a shape under a map")],
     },
+    Entry {
+        number: 11,
+        name: "meshes",
+        question: "How many triangles is a round thing worth, and what breaks a mesh?",
+        chapter: "Surfaces",
+        introduces: &["mesh"],
+        builds_on: &[(4, "a ray meets a triangle"), (6, "a ray meets a cylinder")],
+    },
 ];
 
 impl Entry {

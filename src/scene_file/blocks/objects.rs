@@ -239,8 +239,38 @@ pub const OBJECTS: &[Rule] = &[
     ),
     documented(
         "Mesh",
-        State::Planned,
-        "Triangles from an OBJ file, transformed in written order [D §4.9].",
-        &[MATERIAL, SOURCE, TRANSLATION, ROTATION, SCALE],
+        State::Supported,
+        "Polygons from an OBJ file, transformed in written order [D §4.9]. Without `Material` † its faces are made of the \
+         materials of the file's own libraries. A closed mesh is a solid: it may stand in a `CSG` †.",
+        &[
+            Param::new(
+                "Material",
+                "name",
+                Kind::Reference(Names::Material),
+                Default::Absent,
+                "a material declared above, for all faces",
+            ),
+            SOURCE,
+            TRANSLATION,
+            ROTATION,
+            SCALE,
+            Param::new(
+                "Normals",
+                "which",
+                Kind::Choice(&["file", "smooth", "flat"]),
+                Default::Word("file"),
+                "those of the file, and computed ones where it has none; all computed; or none, so that facets show",
+            )
+            .extension(),
+            Param::new(
+                "Crease",
+                "angle",
+                number(Domain::Closed(0.0, 180.0)),
+                Default::Numbers(&[50.0]),
+                "where computed: edges that bend by more than this stay sharp",
+            )
+            .unit("degrees")
+            .extension(),
+        ],
     ),
 ];

@@ -60,7 +60,7 @@ pub fn read(source: &str, name: &str) -> CsgFile {
 ///
 /// - Errors: a file that cannot be read at all; one that is wrong comes with its remarks.
 pub fn read_file(path: &Path) -> Result<CsgFile, ReadError> {
-    Ok(read(&source::text(path)?, &path.display().to_string()))
+    Ok(read(&source::text(path, source::LARGEST_FILE)?, &path.display().to_string()))
 }
 
 /// A block that has no place in such a file.

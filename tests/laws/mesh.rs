@@ -1,0 +1,5 @@
+//! Meshes: what hangs together, what is closed, what is inside, and no ray between the faces.
+
+mod obj;
+mod solid;
+mod topology;
