@@ -42,6 +42,12 @@ impl Frame {
         (p - self.center) * self.per_size
     }
 
+    /// A way in this frame's unit.
+    #[inline]
+    pub fn scale(&self, way: DVec3) -> DVec3 {
+        way * self.per_size
+    }
+
     #[inline]
     pub fn hold(&self, bounds: &Aabb) -> Box32 {
         let (min, max) = (self.place(bounds.min), self.place(bounds.max));

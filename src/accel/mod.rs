@@ -5,12 +5,15 @@
 //! meets it, is the caller's, who hands in a test.
 
 mod bvh;
+mod facets;
 mod frame;
 mod node;
+mod pack;
 mod split;
 mod tree;
 
 pub use bvh::Bvh;
+pub use facets::Facets;
 
 use crate::ray::Crossing;
 

@@ -1,6 +1,7 @@
 //! A node with up to eight children, whose boxes a ray is tested against all at once.
 
 use super::frame::{Box32, LocalRay, WIDEN};
+use super::pack::{Doubt, Pack, sift_portable};
 
 /// Children of a node.
 pub(super) const WIDTH: usize = 8;
@@ -61,6 +62,10 @@ pub(super) trait Eight {
     /// # Safety
     /// The processor has the instruction set.
     unsafe fn enter(node: &Node, ray: &LocalRay, limit: f32) -> Entries;
+
+    /// # Safety
+    /// The processor has the instruction set.
+    unsafe fn sift(pack: &Pack, ray: &LocalRay, doubt: &Doubt, limit: f32) -> u32;
 }
 
 /// Whatever the target has.
@@ -88,6 +93,11 @@ impl Eight for Portable {
             met |= u32::from(near[i] <= far) << i;
         }
         Entries { near, met }
+    }
+
+    #[inline(always)]
+    unsafe fn sift(pack: &Pack, ray: &LocalRay, doubt: &Doubt, limit: f32) -> u32 {
+        sift_portable(pack, ray, doubt, limit)
     }
 }
 
@@ -120,5 +130,11 @@ impl Eight for Avx2 {
             _mm256_store_ps(entries.near.as_mut_ptr(), near);
             entries
         }
+    }
+
+    #[inline(always)]
+    unsafe fn sift(pack: &Pack, ray: &LocalRay, doubt: &Doubt, limit: f32) -> u32 {
+        // SAFETY: the caller has AVX2.
+        unsafe { super::pack::sift_avx2(pack, ray, doubt, limit) }
     }
 }
