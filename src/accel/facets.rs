@@ -4,7 +4,7 @@ use super::Along;
 use super::bvh::Best;
 use super::frame::LocalRay;
 use super::node::{Eight, WIDTH};
-use super::pack::{Doubt, Pack};
+use super::pack::Pack;
 use super::tree::{AsTheyCome, ENOUGH, Job, NearestFirst, Order, Tree, dispatch};
 use crate::bounds::Aabb;
 use crate::num::vectors::Vectors;
@@ -22,7 +22,6 @@ use glam::DVec3;
 pub struct Facets {
     tree: Tree,
     packs: Vec<Pack>,
-    ids: Vec<[u32; WIDTH]>,
     /// Triangles too large for boxes, ascending.
     unbounded: Vec<u32>,
 }
@@ -40,18 +39,12 @@ impl Facets {
                 unbounded.push(item);
             }
         }
-        let (mut packs, mut ids) = (Vec::with_capacity(count / 4), Vec::with_capacity(count / 4));
+        let mut packs = Vec::with_capacity(count / 4);
         let tree = Tree::build(&bounded, WIDTH, |frame, items| {
-            let (mut pack, mut id) = (Pack::EMPTY, [u32::MAX; WIDTH]);
-            for (lane, item) in items.iter().enumerate() {
-                pack.set(lane, frame, corners(item.id));
-                id[lane] = item.id;
-            }
-            packs.push(pack);
-            ids.push(id);
+            packs.push(Pack::new(frame, items, &corners));
             packs.len() as u32 - 1
         });
-        Facets { tree, packs, ids, unbounded }
+        Facets { tree, packs, unbounded }
     }
 
     /// The same tree, with these instructions; its answers and counts are the same.
@@ -140,8 +133,7 @@ impl Facets {
 
     /// Memory of tree and packs [bytes].
     pub fn bytes(&self) -> usize {
-        let pack = size_of::<Pack>() + size_of::<[u32; WIDTH]>();
-        self.tree.bytes() + self.packs.len() * pack + self.unbounded.len() * size_of::<u32>()
+        self.tree.bytes() + self.packs.len() * size_of::<Pack>() + self.unbounded.len() * size_of::<u32>()
     }
 
     #[inline(always)]
@@ -170,17 +162,17 @@ impl<O: Order, F: FnMut(u32, f32) -> f32> Job for Walk<'_, O, F> {
 
     #[inline(always)]
     fn run<E: Eight>(mut self) -> u64 {
-        let Facets { tree, packs, ids, .. } = self.facets;
-        let doubt = Doubt::of(self.ray);
+        let Facets { tree, packs, .. } = self.facets;
         let mut sifted = 0;
         let visits = tree.walk::<E, O>(self.ray, self.limit, |leaf, mut limit| {
             sifted += 1;
+            let pack = &packs[leaf as usize];
             // SAFETY: `E` is an instruction set of this processor: see `dispatch`.
-            let mut left = unsafe { E::sift(&packs[leaf as usize], self.ray, &doubt, limit) };
+            let mut left = unsafe { E::sift(pack, self.ray, limit) };
             while left != 0 {
                 let lane = left.trailing_zeros() as usize;
                 left &= left - 1;
-                limit = (self.visit)(ids[leaf as usize][lane], limit);
+                limit = (self.visit)(pack.id[lane], limit);
                 if limit < 0.0 {
                     break;
                 }
