@@ -12,7 +12,7 @@
 //! | 1 | [`ray`], [`frame`], [`bounds`] | rays, hits, the trace hook; rotations and bases; boxes and spheres |
 //! | 2 | [`sample`], [`film`], [`measure`] | random numbers and warps; images and their metrics; cost and error of methods |
 //! | 3 | [`shape`] | one file per surface: where a ray meets it, and its solid's spans |
-//! | 4 | [`light`] | emission and its fall-off |
+//! | 4 | [`light`], [`sdf`] | emission and its fall-off; distance fields, marching, the Menger sponge |
 //! | 5 | [`scene`] | camera, objects, materials |
 //! | 6 | [`scene_file`] | readers of the documents' formats |
 //! | 8 | [`integrator`] | each turns a ray into radiance |
@@ -38,4 +38,5 @@ pub mod render;
 pub mod sample;
 pub mod scene;
 pub mod scene_file;
+pub mod sdf;
 pub mod shape;

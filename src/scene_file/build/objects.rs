@@ -1,13 +1,14 @@
 //! From blocks to objects.
 
 use super::transformation::{Made, cube, ellipsoid, instance, placed, transformation};
-use super::{later, of, point};
+use super::{later, natural, of, point};
 use crate::bounds::Aabb;
 use crate::frame::basis;
 use crate::scene::{Material, Object};
 use crate::scene_file::diagnostic::Diagnostic;
 use crate::scene_file::format::{Default, Kind, Param, Role, State};
 use crate::scene_file::parse::Block;
+use crate::sdf::Menger;
 use crate::shape::cone::Cone;
 use crate::shape::cylinder::Cylinder;
 use crate::shape::disc::Disc;
@@ -118,6 +119,10 @@ fn shape(block: &Block) -> Made {
             Ok(Triangle::new(v0, v1, v2)?.with_sides(sides(block)))
         }),
         "Quadric" => quadric(block, map),
+        "Menger" => {
+            let [depth] = block.integers("Depth").map(natural);
+            placed(map, |by| Menger::new(vector("Center") + by, scalar("Edge"), depth))
+        }
         other => unreachable!("the table of blocks promises a builder of {other}"),
     }
 }
