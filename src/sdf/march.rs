@@ -100,6 +100,29 @@ impl March {
         let found = walk.next();
         walk.marched(found)
     }
+
+    /// The places where the march stands on its way to the first change of sign, that of the change last.
+    pub fn trail<F: DistanceField + ?Sized>(&self, field: &F, ray: &Ray, from: f64, to: f64) -> Vec<Step> {
+        let Some(mut walk) = Walk::new(field, *self, ray, from, to) else { return Vec::new() };
+        let stand = |at: Stand| Step { distance: at.s, radius: at.r.abs() };
+        let mut trail = vec![stand(walk.at)];
+        while walk.at.s < walk.to {
+            let before = walk.at;
+            let changed = walk.step(before);
+            trail.push(stand(walk.at));
+            if changed || !(walk.at.s > before.s) {
+                break;
+            }
+        }
+        trail
+    }
+}
+
+/// A place where a march has stood: distance along the ray, and radius of the free ball there [m].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    pub distance: f64,
+    pub radius: f64,
 }
 
 /// What a march found, and what it took.

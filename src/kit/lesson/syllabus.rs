@@ -73,6 +73,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &[],
         builds_on: &[(1, "the camera's right, up and forward"), (6, "shapes along the axes")],
     },
+    Entry {
+        number: 8,
+        name: "marching",
+        question: "When may a ray leap, how far, and what does it miss?",
+        chapter: "Surfaces",
+        introduces: &["sdf", "shape::cylinder", "shape::cone"],
+        builds_on: &[(2, "a ray meets a sphere"), (5, "a surface of degree four"), (6, "cylinders and cones")],
+    },
 ];
 
 impl Entry {
