@@ -253,6 +253,16 @@ impl Cone {
         self.p1
     }
 
+    /// The unit vector from `p0` to `p1`.
+    pub fn axis(&self) -> DVec3 {
+        self.axis
+    }
+
+    /// Distance from `p0` to `p1`.
+    pub fn height(&self) -> f64 {
+        self.height
+    }
+
     pub fn r0(&self) -> f64 {
         self.radii[0]
     }
