@@ -19,6 +19,7 @@
 pub mod capsule;
 pub mod combine;
 pub mod general;
+pub mod julia;
 pub mod march;
 pub mod menger;
 pub mod placed;

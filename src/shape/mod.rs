@@ -46,6 +46,8 @@ pub enum ShapeError {
     NoVolume { what: &'static str },
     #[error("{what}: expected half-spaces that enclose a bounded volume, found one that runs to infinity")]
     Unbounded { what: &'static str },
+    #[error("{what}: expected {allowed}, found {found}")]
+    OutOfRange { what: &'static str, allowed: &'static str, found: f64 },
     #[error("polygon: expected at least 3 vertices, found {found}")]
     TooFewVertices { found: usize },
     #[error("menger: expected a depth of at most {allowed}, found {found}")]
