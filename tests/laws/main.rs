@@ -5,6 +5,8 @@ mod support;
 
 mod architecture;
 mod certified;
+mod csg;
+mod csg_files;
 mod figure;
 mod film;
 mod film_files;
