@@ -36,8 +36,8 @@ const SCENES: [(&str, &str); 2] = [
 
 fn main() -> Result {
     let lesson = Lesson::open(10)?;
-    let (seed, size) = (lesson.seed(), lesson.pick([40, 160, 320, 512]));
-    let (small, samples) = (lesson.pick([32, 180, 336, 420]), lesson.pick([1, 4, 16, 16]));
+    let (seed, size) = (lesson.seed(), lesson.pick([24, 96, 256, 512]));
+    let (small, samples) = (lesson.pick([20, 130, 300, 420]), lesson.pick([1, 4, 16, 16]));
 
     // 1. The truth: all ends of all leaves in one list, and the table on the whole tree after each.
     lesson.save("table", diagrams::table())?;
@@ -47,12 +47,13 @@ fn main() -> Result {
 
     // 2. The contestants: root diagrams, whole lists, tested points, and the printed rules.
     let cases = cases::cases(size);
-    let contest = charts::contest(lesson.pick([24, 96, 160, 256]), lesson.pick([8, 24, 32, 48]));
-    let turns = lesson.pick([64, 1000, 4000, 16000]);
+    let rays = lesson.pick([16, 48, 128, 256]);
+    let contest = charts::contest(rays, lesson.pick([6, 16, 32, 48]));
+    let turns = lesson.pick([48, 600, 4000, 16000]);
     let coincident = stability::over_distance(seed, turns);
 
     // 3. The figures.
-    lesson.save("speed_accuracy", charts::speed(&contest, lesson.pick([24, 96, 160, 256])))?;
+    lesson.save("speed_accuracy", charts::speed(&contest, rays))?;
     lesson.save("lists", diagrams::lists())?;
     lesson.save("pair_rules", cases::pictures(&cases, small, samples))?;
     lesson.save("wrong_pixels", cases::table(&cases, size))?;
@@ -108,13 +109,12 @@ fn scene_3(size: usize) -> Result<Figure> {
 
 fn answer(cases: &[cases::Case], contest: &charts::Contest, lids: f64) -> String {
     let time = |way: usize, tree: usize| contest[way].1.points[tree].time.map_or(f64::NAN, |t| t.mid * 1e9);
-    let ratio = time(1, 3) / time(0, 3);
     format!(
         "each solid gives its sorted spans, and a node merges two lists by the table, which for D's tree takes {:.0} ns a ray; looked \
          at from front to back, a tree of 127 leaves is {} times as quick as merging whole lists. Rules that delete neighbours \
          by their marks break {} of 5 solids, and ties decided to the bit put a lid on {:.0} % of a flush pocket.",
         time(0, 1),
-        short((10.0 * ratio).round() / 10.0),
+        short((10.0 * charts::quotient(contest)).round() / 10.0),
         broken(cases),
         100.0 * lids
     )

@@ -71,13 +71,13 @@ pub fn tree(size: usize, samples: u32) -> Figure {
         drawn(x(), "cylinder", &[2], dvec2(580.0, 3.0), &[]),
         drawn(y(), "cylinder", &[3], dvec2(800.0, 3.0), &[]),
     ];
-    let (side, top, step) = (168.0, 96.0, 188.0);
+    let (side, top, step) = (168.0, 96.0, 206.0);
     let place = |node: &Drawn| {
         let corner = dvec2(node.at.x - 0.5 * side, top + step * node.at.y);
         Rect { min: corner, max: corner + side }
     };
     let mut drawing = Drawing::new(1200.0, top + step * 4.0 + 16.0);
-    let title = "Three operations and five solids make one: (box ∩ sphere) − (rod ∪ rod ∪ rod)";
+    let title = "Four operations and five solids make one: (box ∩ sphere) − (rod ∪ rod ∪ rod)";
     drawing.text(Text::new(dvec2(40.0, 52.0), title, 28.0, Ink::Text).face(Face::Bold));
     let words = "A tree and its solid; each leaf keeps its colour, also where it was taken away.";
     drawing.text(Text::new(dvec2(40.0, 82.0), words, 20.0, Ink::Muted));
@@ -101,8 +101,8 @@ pub fn tree(size: usize, samples: u32) -> Figure {
             let sign = Text::new(at + dvec2(0.0, 10.0), node.label, 30.0, Ink::Text).anchor(Anchor::Middle);
             drawing.text(sign.face(Face::Bold));
         } else {
-            let at = dvec2(here.center().x, here.max.y - 9.0);
-            drawing.text(Text::new(at, node.label, 18.0, Ink::Fixed([27, 31, 39])).anchor(Anchor::Middle));
+            let at = dvec2(here.center().x, here.max.y + 22.0);
+            drawing.text(Text::new(at, node.label, 20.0, Ink::Text).anchor(Anchor::Middle));
         }
     }
     let alt = "A tree of nine small pictures. At the top a rounded box with three round tunnels; below it a rounded box and three \

@@ -35,7 +35,7 @@ pub fn ball(center: DVec3, radius: f64) -> Tree {
 }
 
 pub fn rod(axis: DVec3) -> Tree {
-    Tree::leaf(Cylinder::new(axis * -3.0, axis * 3.0, 0.9).expect("a cylinder of literal numbers"))
+    Tree::leaf(Cylinder::new(axis * -2.0, axis * 2.0, 0.9).expect("a cylinder of literal numbers"))
 }
 
 /// [D figure 17]: what box and sphere have in common, less three cylinders.
@@ -61,7 +61,7 @@ pub fn solid(tree: Tree) -> Csg {
 
 /// Where the solids are looked at from, and how wide.
 pub const EYE: DVec3 = DVec3::new(4.6, 3.9, 7.4);
-const FOV: f64 = 27.0; // degrees
+const FOV: f64 = 30.0; // degrees
 
 pub fn camera(eye: DVec3) -> Camera {
     Camera::new(eye, dvec3(0.0, -0.05, 0.0), DVec3::Y, FieldOfView::Vertical(FOV.to_radians()))

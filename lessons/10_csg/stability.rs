@@ -110,7 +110,7 @@ pub fn chart(contest: &[(Method, Series)], rays: u32) -> Figure {
     let axis = Axis::log("distance of the plate from the origin of space, m").range(0.7, 1.5e8);
     let mut chart = Chart::failures_over(axis, "rays into the pocket that see a false cap")
         .title(&format!(
-            "Faces that coincide on two paths: exact ties show caps to {:.0} % of the rays, derived ones to {:.0} %",
+            "Ties decided to the bit put a false cap on {:.0} % of a flush pocket, derived ones on {:.0} %",
             share(1),
             share(0)
         ))

@@ -26,9 +26,9 @@ use crate::shape::{Shape, Solid};
 use glam::{DVec2, DVec3};
 use walk::walk;
 
-/// Most operations inside one another, after chains of one operation have been balanced: each is a few hundred bytes of
-/// a thread's stack while a ray is on its way.
-pub const MOST_DEPTH: usize = 1024;
+/// Most operations inside one another, chains of one operation counted once: each is a few hundred bytes of a thread's
+/// stack while a ray is on its way.
+pub const MOST_DEPTH: usize = 256;
 
 /// Why no solid came out of a tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]

@@ -76,8 +76,6 @@ const GUARDED_FROM: usize = 6;
 #[derive(Default)]
 pub(super) struct Builder {
     nodes: Vec<Node>,
-    /// Of each node, the number of operations inside one another.
-    depths: Vec<usize>,
     /// Of each node, the number of leaves.
     sizes: Vec<usize>,
     leaves: Vec<Leaf>,
@@ -92,12 +90,12 @@ impl Builder {
     /// (a ∪ b) ∪ c = a ∪ b ∪ c,   (a ∩ b) ∩ c = a ∩ b ∩ c,   (a − b) − c = a − (b ∪ c)
     /// ```
     pub(super) fn build(tree: Tree) -> Result<Csg, CsgError> {
-        let mut builder = Builder::default();
-        let root = builder.node(tree, Facing::Outward)?;
-        let found = builder.depths[root];
+        let found = depth(&tree);
         if found > MOST_DEPTH {
             return Err(CsgError::TooDeep { found });
         }
+        let mut builder = Builder::default();
+        builder.node(tree, Facing::Outward)?;
         let Builder { nodes, leaves, parts, .. } = builder;
         Ok(Csg { nodes, leaves, parts })
     }
@@ -140,7 +138,7 @@ impl Builder {
         self.parts.resize(parts, leaf);
         self.leaves.push(Leaf { solid, first_part: first_part as u32, facing });
         let guarded = solid_is_costly && bounds.is_finite();
-        Ok(self.push(Node { bounds, guarded, what: What::Leaf(leaf) }, 0, 1))
+        Ok(self.push(Node { bounds, guarded, what: What::Leaf(leaf) }, 1))
     }
 
     fn pair(&mut self, operation: Operation, left: usize, right: usize) -> usize {
@@ -150,19 +148,13 @@ impl Builder {
             Operation::Intersection => Aabb::new(a.min.max(b.min), a.max.min(b.max)),
             Operation::Difference => a,
         };
-        let depth = 1 + self.depths[left].max(self.depths[right]);
         let size = self.sizes[left] + self.sizes[right];
         let guarded = size >= GUARDED_FROM && bounds.is_finite();
-        self.push(
-            Node { bounds, guarded, what: What::Pair(operation, left as u32, right as u32) },
-            depth,
-            size,
-        )
+        self.push(Node { bounds, guarded, what: What::Pair(operation, left as u32, right as u32) }, size)
     }
 
-    fn push(&mut self, node: Node, depth: usize, size: usize) -> usize {
+    fn push(&mut self, node: Node, size: usize) -> usize {
         self.nodes.push(node);
-        self.depths.push(depth);
         self.sizes.push(size);
         self.nodes.len() - 1
     }
@@ -198,6 +190,20 @@ impl Builder {
         let (left, right) = (self.halved(operation, first), self.halved(operation, second));
         self.pair(operation, left, right)
     }
+}
+
+/// Operations inside one another, each chain of one operation counted once.
+fn depth(tree: &Tree) -> usize {
+    let (mut deepest, mut open) = (0, vec![(tree, None, 0)]);
+    while let Some((tree, chain, depth)) = open.pop() {
+        let Tree::Node(operation, pair) = tree else { continue };
+        let depth = if chain == Some(*operation) { depth } else { depth + 1 };
+        deepest = deepest.max(depth);
+        // What is taken away from what is taken away begins a chain of its own.
+        let right = Some(*operation).filter(|o| *o != Operation::Difference);
+        open.extend([(&pair[0], Some(*operation), depth), (&pair[1], right, depth)]);
+    }
+    deepest
 }
 
 /// The operands of a chain of one operation that joins freely, as they are written.

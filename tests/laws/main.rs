@@ -6,6 +6,8 @@ mod support;
 mod accel;
 mod architecture;
 mod certified;
+mod csg;
+mod csg_files;
 mod figure;
 mod film;
 mod film_files;

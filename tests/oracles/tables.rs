@@ -1,6 +1,8 @@
 //! Each topic of `probe` against its table.
 
-use super::truth::{all_right, columns, faces, quartic_roots, sphere_roots, torus_roots, wrong_rows};
+use super::truth::{
+    all_right, columns, csg_spans, faces, quartic_roots, sphere_roots, torus_roots, wrong_rows,
+};
 
 #[test]
 fn spheres_agree_with_their_table() {
@@ -74,6 +76,18 @@ fn the_table_catches_other_ways_to_meet_a_torus() {
 #[test]
 fn tori_agree_with_their_nasty_table() {
     all_right("ray_torus", include_str!("../data/ray_torus_nasty.csv"), torus_roots);
+}
+
+/// Spans of the whole line, and the first hit with its normal.
+#[test]
+fn trees_of_solids_agree_with_their_table() {
+    all_right("csg", include_str!("../data/csg.csv"), csg_spans);
+}
+
+#[test]
+fn the_table_catches_the_printed_pair_rules() {
+    let (_, wrong) = wrong_rows("csg", Some("as_printed"), include_str!("../data/csg.csv"), csg_spans);
+    assert!(wrong.len() >= 30, "only {} rows wrong", wrong.len());
 }
 
 #[test]
