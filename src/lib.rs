@@ -12,7 +12,7 @@
 //! | 1 | [`ray`], [`frame`], [`bounds`] | rays, hits, the trace hook; rotations and bases; boxes and spheres |
 //! | 2 | [`sample`], [`film`], [`measure`] | random numbers and warps; images and their metrics; cost and error of methods |
 //! | 3 | [`shape`], [`accel`] | one file per surface: where a ray meets it, and its solid's spans; the nearest of many things with bounds |
-//! | 4 | [`light`] | emission and its fall-off |
+//! | 4 | [`csg`], [`light`], [`mesh`] | solids made of solids by root diagrams; emission and its fall-off; polygons, half-edges, triangles in a hierarchy of boxes |
 //! | 5 | [`scene`] | camera, objects, materials |
 //! | 6 | [`scene_file`] | readers of the documents' formats |
 //! | 8 | [`integrator`] | each turns a ray into radiance |
@@ -26,12 +26,14 @@ pub mod accel;
 pub mod bounds;
 pub mod color;
 pub mod command;
+pub mod csg;
 pub mod film;
 pub mod frame;
 pub mod integrator;
 pub mod kit;
 pub mod light;
 pub mod measure;
+pub mod mesh;
 pub mod num;
 pub mod probe;
 pub mod ray;

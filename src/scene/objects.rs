@@ -9,13 +9,14 @@ use glam::DVec3;
 use std::ops::Deref;
 use std::sync::OnceLock;
 
-/// A shape made of a material.
+/// A shape made of a material, or of several by its parts.
 #[derive(Debug)]
 pub struct Object {
     /// What messages call it: `Sphere` and where it was declared, or the name a lesson gives it.
     pub name: String,
-    /// Index into [`Scene::materials`](super::Scene::materials).
-    pub material: usize,
+    /// Of each part, an index into [`Scene::materials`](super::Scene::materials); if there is one only, it is that of all
+    /// parts.
+    materials: Vec<usize>,
     shape: Box<dyn Shape>,
     bounds: Aabb,
     /// Does a ray look at the bounds before it is tested against the shape?
@@ -23,10 +24,25 @@ pub struct Object {
 }
 
 impl Object {
+    /// An object of one material, by its index in [`Scene::materials`](super::Scene::materials).
     pub fn new(name: impl Into<String>, shape: Box<dyn Shape>, material: usize) -> Self {
+        Self::of_parts(name, shape, vec![material])
+    }
+
+    /// An object whose parts, the leaves of a tree, each have their own material.
+    pub fn of_parts(name: impl Into<String>, shape: Box<dyn Shape>, materials: Vec<usize>) -> Self {
+        assert!(!materials.is_empty(), "an object without a material");
         let bounds = shape.bounds();
         let guarded = shape.is_costly() && bounds.is_finite();
-        Object { name: name.into(), material, shape, bounds, guarded }
+        Object { name: name.into(), materials, shape, bounds, guarded }
+    }
+
+    /// The material where a ray met it, by [`Hit::part`](crate::ray::Hit::part), as an index into
+    /// [`Scene::materials`](super::Scene::materials).
+    #[inline]
+    pub fn material(&self, part: u32) -> usize {
+        let one = self.materials[0];
+        if part == 0 { one } else { self.materials.get(part as usize).copied().unwrap_or(one) }
     }
 
     /// Does the ray certainly miss the object? `inv_direction` is `1/d`.

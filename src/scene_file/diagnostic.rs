@@ -102,16 +102,23 @@ pub struct Diagnostics {
     /// The text that the spans count in.
     pub source: String,
     pub list: Vec<Diagnostic>,
+    /// Of the files that this one names.
+    pub files: Vec<Diagnostics>,
 }
 
 impl Diagnostics {
     pub fn new(name: &str, source: &str, mut list: Vec<Diagnostic>) -> Self {
         list.sort_by_key(|d| (d.span.start, d.span.end)); // stable: equal places keep the order of discovery
-        Diagnostics { name: name.to_owned(), source: source.to_owned(), list }
+        Diagnostics { name: name.to_owned(), source: source.to_owned(), list, files: Vec::new() }
+    }
+
+    /// With what was found in the files that this one names.
+    pub fn with_files(self, files: Vec<Diagnostics>) -> Self {
+        Diagnostics { files, ..self }
     }
 
     pub fn is_empty(&self) -> bool {
-        self.list.is_empty()
+        self.list.is_empty() && self.files.iter().all(Diagnostics::is_empty)
     }
 
     pub fn of(&self, severity: Severity) -> impl Iterator<Item = &Diagnostic> {

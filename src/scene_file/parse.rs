@@ -28,6 +28,8 @@ pub struct Block {
     /// The line of the block's name, from 1.
     pub line: usize,
     pub entries: Vec<Entry>,
+    /// The solids inside.
+    pub children: Vec<Block>,
     /// Was its `}` there? If not, parameters may be missing without anybody's fault.
     pub closed: bool,
 }
@@ -149,6 +151,12 @@ impl<'a> Parser<'a, '_> {
         self.at_block() && self.peek().is_some_and(named)
     }
 
+    /// Does a block begin here that belongs inside of that one? An unknown name may have been meant so.
+    fn at_inner_block(&self, outer: &Rule) -> bool {
+        let belongs = |t: &Token| rule(t.text).is_none_or(|inner| outer.may_hold(inner));
+        outer.holds_solids() && self.at_block() && self.peek().is_some_and(belongs)
+    }
+
     /// What stands here, for messages.
     fn found(&self) -> String {
         self.peek().map_or("the end of the file".to_owned(), describe)
@@ -262,7 +270,8 @@ impl<'a> Parser<'a, '_> {
     /// The parameters, and the `}`.
     fn body(&mut self, name: &Token, rule: &'static Rule) -> Block {
         let line = self.lines.at(self.source, name.span.start);
-        let mut block = Block { rule, keyword: name.span.clone(), line, entries: Vec::new(), closed: false };
+        let (keyword, entries, children) = (name.span.clone(), Vec::new(), Vec::new());
+        let mut block = Block { rule, keyword, line, entries, children, closed: false };
         loop {
             match self.peek() {
                 Some(token) if token.kind == TokenKind::Close => {
@@ -270,6 +279,7 @@ impl<'a> Parser<'a, '_> {
                     block.closed = true;
                     break;
                 }
+                Some(_) if self.at_inner_block(rule) => block.children.extend(self.block()),
                 Some(_) if !self.at_next_block() => self.entry(&mut block),
                 next => {
                     self.log.push(unclosed(&block, next));

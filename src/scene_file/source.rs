@@ -33,7 +33,10 @@ impl ReadError {
     /// Number of errors.
     pub fn problems(&self) -> usize {
         match self {
-            ReadError::Wrong(diagnostics) => diagnostics.errors().count(),
+            ReadError::Wrong(diagnostics) => {
+                let of = |d: &Diagnostics| d.errors().count();
+                of(diagnostics) + diagnostics.files.iter().map(of).sum::<usize>()
+            }
             _ => 1,
         }
     }
@@ -41,6 +44,11 @@ impl ReadError {
 
 /// Reads a scene from a file; messages call it by its path as given.
 pub fn read_file(path: &Path) -> Result<SceneFile, ReadError> {
+    read_bytes(&contents(path)?, &path.display().to_string()).map_err(ReadError::Wrong)
+}
+
+/// The bytes of a file, unless there are too many.
+fn contents(path: &Path) -> Result<Vec<u8>, ReadError> {
     let unreadable = |source| ReadError::Unreadable { path: path.to_owned(), source };
     let file = File::open(path).map_err(unreadable)?;
     let mut bytes = Vec::new();
@@ -48,7 +56,13 @@ pub fn read_file(path: &Path) -> Result<SceneFile, ReadError> {
     if bytes.len() as u64 > LARGEST_FILE {
         return Err(ReadError::TooLarge { path: path.to_owned() });
     }
-    read_bytes(&bytes, &path.display().to_string()).map_err(ReadError::Wrong)
+    Ok(bytes)
+}
+
+/// The text of a file.
+pub(super) fn text(path: &Path) -> Result<String, ReadError> {
+    let wrong = |bytes: &[u8], at| ReadError::Wrong(not_utf8(bytes, at, &path.display().to_string()));
+    String::from_utf8(contents(path)?).map_err(|e| wrong(e.as_bytes(), e.utf8_error().valid_up_to()))
 }
 
 /// Reads a scene from bytes, which must be UTF-8.

@@ -95,8 +95,21 @@ impl<S: ?Sized + Shape> Shape for Instance<S> {
         Aabb::new(mapped.min - slack, mapped.max + slack)
     }
 
+    fn parts(&self) -> u32 {
+        self.shape.parts()
+    }
+
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
         self.shape.blocks(&self.local(ray), t_max)
+    }
+
+    fn lifted(&self, hit: &Hit, n: DVec3) -> DVec3 {
+        // Normals go back with the transpose of the map, as they came with its inverse.
+        let back = |n: DVec3| unit(self.to_world.matrix3.transpose() * n).unwrap_or(n);
+        let point = self.to_local.transform_point3(hit.point);
+        let local = Hit { point, ng: back(hit.ng), n: back(hit.n), ..*hit };
+        let lifted = self.shape.lifted(&local, back(n));
+        if lifted == point { hit.point } else { self.to_world.transform_point3(lifted) }
     }
 }
 

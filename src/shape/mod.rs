@@ -136,6 +136,11 @@ pub trait Shape: Debug + Send + Sync {
     /// A box that holds the surface, rounded outwards; infinite for unbounded surfaces.
     fn bounds(&self) -> Aabb;
 
+    /// How many parts its crossings name, from 0 on: the leaves of a compound, else one.
+    fn parts(&self) -> u32 {
+        1
+    }
+
     /// Does something stand in the way for some `0 < t < t_max`?
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
         self.nearest(ray, 0.0, t_max).is_some()
@@ -144,6 +149,12 @@ pub trait Shape: Debug + Send + Sync {
     /// Is a look at the box that bounds it cheaper than a test of the shape, so that it comes first?
     fn is_costly(&self) -> bool {
         true
+    }
+
+    /// Where light is gathered that a shape's smooth normals `n` (on the side that is seen) let it show: the hit's point, or a
+    /// place near it from which a coarse shape does not stand in its own light.
+    fn lifted(&self, hit: &Hit, _n: DVec3) -> DVec3 {
+        hit.point
     }
 
     /// Could the shape stand in the way of some segment of a fan whose hull overlaps its bounds? A "no" is certain.

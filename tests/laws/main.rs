@@ -14,6 +14,7 @@ mod frame;
 mod lessons;
 mod local;
 mod measure;
+mod mesh;
 mod num;
 mod pinhole;
 mod polyhedron;

@@ -73,6 +73,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &[],
         builds_on: &[(1, "the camera's right, up and forward"), (6, "shapes along the axes")],
     },
+    Entry {
+        number: 12,
+        name: "nearest_of_many",
+        question: "How does a ray find the nearest of a million things, and from how many on does it pay to ask?",
+        chapter: "Surfaces",
+        introduces: &["accel"],
+        builds_on: &[(4, "the watertight triangle"), (11, "meshes")],
+    },
 ];
 
 impl Entry {

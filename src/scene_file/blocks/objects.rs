@@ -3,7 +3,7 @@
 use super::{ANY, ONES, SOURCE, ZERO, length, number, point, triple};
 use crate::scene_file::format::{Default, Domain, Kind, Names, Origin, Param, Role, Rule, State};
 
-const MATERIAL: Param = Param::new(
+pub(super) const MATERIAL: Param = Param::new(
     "Material",
     "name",
     Kind::Reference(Names::Material),
@@ -30,9 +30,9 @@ const SCALE: Param = Param::new(
 )
 .repeatable();
 
-const MOVED: Param = TRANSLATION.extension();
-const TURNED: Param = ROTATION.extension();
-const STRETCHED: Param = SCALE.extension();
+pub(super) const MOVED: Param = TRANSLATION.extension();
+pub(super) const TURNED: Param = ROTATION.extension();
+pub(super) const STRETCHED: Param = SCALE.extension();
 const SIDES: Param = Param::new(
     "Sides",
     "side",
@@ -224,9 +224,18 @@ pub const OBJECTS: &[Rule] = &[
     ),
     documented(
         "CSG",
-        State::Planned,
-        "Solids combined by union, intersection and difference, from a file [D §4.8].",
-        &[MATERIAL, SOURCE],
+        State::Supported,
+        "Solids combined by union, intersection and difference [D §4.8]: from a `.csg` file, or † written inside it, as \
+         `CSG { Material m  Difference { Box { } Sphere { Material n } } }`. Solids inside that name no material have \
+         that of what holds them. Solids are `Sphere`, `Box`, `Cylinder`, `Cone`, `Ellipsoid`, `Torus`, `Quadric` without clip \
+         box, and `Plane`, which is everything behind it.",
+        &[
+            MATERIAL,
+            Param::new("Source", "\"file\"", Kind::Text, Default::Absent, "the `.csg` file, beside this one"),
+            MOVED,
+            TURNED,
+            STRETCHED,
+        ],
     ),
     documented(
         "Mesh",

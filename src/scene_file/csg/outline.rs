@@ -1,0 +1,69 @@
+//! A tree as indented text, as the document's editor shows it.
+
+use super::CsgFile;
+use super::link::title;
+use super::operation;
+
+/// Most lines of an outline.
+const MOST_LINES: usize = 200;
+
+impl CsgFile {
+    /// Every node under what holds it, also of files that are wrong: `Sphere 0`, `(missing)`, `Union 1 (holds itself)`.
+    pub fn outline(&self) -> String {
+        let mut lines = Vec::new();
+        let first = [0];
+        let tops = match &self.links.tops[..] {
+            [] if !self.blocks.is_empty() => &first[..], // all in a circle
+            tops => tops,
+        };
+        for &top in tops {
+            self.add(Some(top), String::new(), "", &mut Vec::new(), &mut lines);
+        }
+        if lines.len() > MOST_LINES {
+            lines.truncate(MOST_LINES);
+            lines.push("…".to_owned());
+        }
+        lines.iter().map(|line| format!("  {line}\n")).collect()
+    }
+
+    fn add(
+        &self,
+        node: Option<usize>,
+        indent: String,
+        branch: &str,
+        above: &mut Vec<usize>,
+        out: &mut Vec<String>,
+    ) {
+        if out.len() > MOST_LINES {
+            return;
+        }
+        let Some(node) = node else { return out.push(format!("{indent}{branch}(missing)")) };
+        let name = title(&self.blocks, node);
+        if above.contains(&node) {
+            return out.push(format!("{indent}{branch}{name} (holds itself)"));
+        }
+        let is_operation = operation(&self.blocks[node]).is_some();
+        let alone = branch.is_empty() && self.links.root != Some(node);
+        let remark = if alone && !is_operation { " (not used)" } else { "" };
+        out.push(format!("{indent}{branch}{name}{remark}"));
+        if !is_operation {
+            return;
+        }
+        above.push(node);
+        let [left, right] = self.links.operands[node];
+        let further = match branch {
+            "" => String::new(),
+            "└─ " => indent + "   ",
+            _ => indent + "│  ",
+        };
+        self.add(left, further.clone(), "├─ ", above, out);
+        self.add(right, further, "└─ ", above, out);
+        above.pop();
+    }
+
+    /// Numbers of operations and solids.
+    pub fn counts(&self) -> (usize, usize) {
+        let operations = self.blocks.iter().filter(|b| operation(b).is_some()).count();
+        (operations, self.blocks.len() - operations)
+    }
+}

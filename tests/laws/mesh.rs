@@ -1,0 +1,4 @@
+//! Meshes: what hangs together, what is closed, what is inside, and no ray between the faces.
+
+mod solid;
+mod topology;
