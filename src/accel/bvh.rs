@@ -3,7 +3,7 @@
 use super::Along;
 use super::frame::{FARTHEST, LocalRay};
 use super::node::{Eight, LEAF};
-use super::tree::{AsTheyCome, ENOUGH, Job, NearestFirst, Tree, dispatch};
+use super::tree::{AsTheyCome, ENOUGH, Job, NearestFirst, STACK, Tree, dispatch};
 use crate::bounds::Aabb;
 use crate::num::vectors::Vectors;
 use crate::ray::{Ray, Trace, Work};
@@ -128,6 +128,16 @@ impl Bvh {
     pub fn overlapping(&self, bounds: &Aabb, mut visit: impl FnMut(u32)) {
         self.unbounded.iter().for_each(|&item| visit(item));
         self.tree.overlapping(bounds, &mut visit);
+    }
+
+    /// The boxes, parents before their children, each with its level and, of leaves, the item.
+    pub fn boxes(&self) -> Vec<(u32, Aabb, Option<u32>)> {
+        self.tree.boxes()
+    }
+
+    /// Children that wait on the worst of all ways through the tree, and how many there is room for.
+    pub fn stack(&self) -> (usize, usize) {
+        (self.tree.deepest_stack(), STACK)
     }
 
     /// Memory of the tree [bytes].

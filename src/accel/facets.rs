@@ -5,7 +5,7 @@ use super::bvh::Best;
 use super::frame::LocalRay;
 use super::node::{Eight, WIDTH};
 use super::pack::Pack;
-use super::tree::{AsTheyCome, ENOUGH, Job, NearestFirst, Order, Tree, dispatch};
+use super::tree::{AsTheyCome, ENOUGH, Job, NearestFirst, Order, STACK, Tree, dispatch};
 use crate::bounds::Aabb;
 use crate::num::vectors::Vectors;
 use crate::ray::{Ray, Trace, Work};
@@ -129,6 +129,11 @@ impl Facets {
             visit(item);
             false
         });
+    }
+
+    /// Children that wait on the worst of all ways through the tree, and how many there is room for.
+    pub fn stack(&self) -> (usize, usize) {
+        (self.tree.deepest_stack(), STACK)
     }
 
     /// Memory of tree and packs [bytes].

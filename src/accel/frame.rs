@@ -42,16 +42,18 @@ impl Frame {
         (p - self.center) * self.per_size
     }
 
-    /// A way in this frame's unit.
-    #[inline]
-    pub fn scale(&self, way: DVec3) -> DVec3 {
-        way * self.per_size
-    }
-
     #[inline]
     pub fn hold(&self, bounds: &Aabb) -> Box32 {
         let (min, max) = (self.place(bounds.min), self.place(bounds.max));
         Box32 { min: min.to_array().map(round_down), max: max.to_array().map(round_up) }
+    }
+}
+
+impl Frame {
+    /// A box of this frame in the space outside it.
+    pub fn release(&self, b: &Box32) -> Aabb {
+        let out = |p: [f32; 3]| DVec3::from_array(p.map(f64::from)) * self.size + self.center;
+        Aabb::new(out(b.min), out(b.max))
     }
 }
 
