@@ -3,10 +3,11 @@
 use super::Along;
 use super::frame::{FARTHEST, LocalRay};
 use super::node::{Eight, LEAF};
-use super::tree::{AsTheyCome, ENOUGH, Job, NearestFirst, Tree, dispatch};
+use super::tree::{AsTheyCome, ENOUGH, Job, NearestFirst, STACK, Tree, dispatch};
 use crate::bounds::Aabb;
 use crate::num::vectors::Vectors;
 use crate::ray::{Ray, Trace, Work};
+use glam::DVec3;
 
 /// A bounding volume hierarchy over items that are known by their index alone: the default structure.
 ///
@@ -27,8 +28,7 @@ impl Bvh {
         let mut unbounded = Vec::new();
         let mut bounded = Vec::with_capacity(bounds.len());
         for (item, b) in (0u32..).zip(bounds) {
-            let is_near = |p: glam::DVec3| p.abs().cmplt(glam::DVec3::splat(FARTHEST)).all();
-            if is_near(b.min) && is_near(b.max) {
+            if is_near(b) {
                 if !b.is_empty() {
                     bounded.push((*b, item));
                 }
@@ -130,10 +130,26 @@ impl Bvh {
         self.tree.overlapping(bounds, &mut visit);
     }
 
+    /// The boxes, parents before their children, each with its level and, of leaves, the item.
+    pub fn boxes(&self) -> Vec<(u32, Aabb, Option<u32>)> {
+        self.tree.boxes()
+    }
+
+    /// Children that wait on the worst of all ways through the tree, and how many there is room for.
+    pub fn stack(&self) -> (usize, usize) {
+        (self.tree.deepest_stack(), STACK)
+    }
+
     /// Memory of the tree [bytes].
     pub fn bytes(&self) -> usize {
         self.tree.bytes() + self.unbounded.len() * size_of::<u32>()
     }
+}
+
+/// Is no coordinate too large to count with?
+pub(super) fn is_near(b: &Aabb) -> bool {
+    let is_near = |p: DVec3| p.abs().cmplt(DVec3::splat(FARTHEST)).all();
+    is_near(b.min) && is_near(b.max)
 }
 
 /// The nearest crossing so far.

@@ -49,6 +49,14 @@ impl Frame {
     }
 }
 
+impl Frame {
+    /// A box of this frame in the space outside it.
+    pub fn release(&self, b: &Box32) -> Aabb {
+        let out = |p: [f32; 3]| DVec3::from_array(p.map(f64::from)) * self.size + self.center;
+        Aabb::new(out(b.min), out(b.max))
+    }
+}
+
 #[inline]
 pub(super) fn round_down(x: f64) -> f32 {
     let y = x as f32;
@@ -72,10 +80,14 @@ pub(super) struct LocalRay {
     pub inverse: [f32; 3],
     /// Which of the six planes of a box is nearer, by axis.
     pub near_plane: [usize; 3],
-    pub origin: [f32; 3],
-    pub direction: [f32; 3],
-    /// Bound on the displacement of the origin; infinite if nothing can be said, and everything is to be tested.
-    pub displacement: f32,
+    /// In full; bound on its error: infinite if nothing can be said, and everything is to be tested.
+    pub origin: [f64; 3],
+    pub shift: f32,
+    pub direction: [f64; 3],
+    pub direction32: [f32; 3],
+    /// The axis along which the direction is longest, and `1/d` there.
+    pub longest: usize,
+    pub ahead: f64,
     per_size: f64,
     per_stretch: f64,
     start: f64,
@@ -109,8 +121,17 @@ impl LocalRay {
         let direction = ray.direction * stretch;
         let steep = direction.to_array().map(|d| if d.abs() < STEEPEST { STEEPEST.copysign(d) } else { d });
         let inverse = steep.map(|d| 1.0 / d);
-        // Roundings of the frame, of the way to the root, of `f32`, and what `STEEPEST` moves.
-        let displacement = f64::from(2.0 * f32::EPSILON) + away * 2f64.powi(-48);
+        // Roundings of the frame and of the way to the root, and what `STEEPEST` moves; then of `f32`.
+        let shift = (THROUGH + away) * 2f64.powi(-48);
+        let displacement = f64::from(2.0 * f32::EPSILON) + shift;
+        let d = direction.abs();
+        let longest = if d.x >= d.y && d.x >= d.z {
+            0
+        } else if d.y >= d.z {
+            1
+        } else {
+            2
+        };
         let slack = (THROUGH + away) * 2f64.powi(-40);
         let per_stretch = 1.0 / stretch;
         let per_size = frame.per_size;
@@ -133,9 +154,12 @@ impl LocalRay {
             far_origin: [0.0; 3],
             inverse: inverse.map(|x| x as f32),
             near_plane: [0, 1, 2],
-            origin: origin.as_vec3().to_array(),
-            direction: direction.as_vec3().to_array(),
-            displacement: displacement as f32,
+            origin: origin.to_array(),
+            shift: shift as f32,
+            direction: direction.to_array(),
+            direction32: direction.as_vec3().to_array(),
+            longest,
+            ahead: inverse[longest],
             per_size,
             per_stretch,
             start,
@@ -160,8 +184,11 @@ impl LocalRay {
             inverse: [1.0; 3],
             near_plane: [0, 1, 2],
             origin: [0.0; 3],
+            shift: f32::INFINITY,
             direction: [1.0; 3],
-            displacement: f32::INFINITY,
+            direction32: [1.0; 3],
+            longest: 0,
+            ahead: 1.0,
             per_size: 0.0,
             per_stretch: 0.0,
             start: 0.0,

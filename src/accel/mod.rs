@@ -5,12 +5,21 @@
 //! meets it, is the caller's, who hands in a test.
 
 mod bvh;
+mod facets;
 mod frame;
+mod hulls;
 mod node;
+mod octree;
+mod pack;
+mod slabs;
 mod split;
 mod tree;
 
 pub use bvh::Bvh;
+pub use facets::Facets;
+pub use hulls::{Hull, Hulls, as_printed_nearest};
+pub use octree::{Cube, Octree, Splitting};
+pub use slabs::Ball;
 
 use crate::ray::Crossing;
 

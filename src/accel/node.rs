@@ -1,6 +1,9 @@
 //! A node with up to eight children, whose boxes a ray is tested against all at once.
 
 use super::frame::{Box32, LocalRay, WIDEN};
+#[cfg(target_arch = "x86_64")]
+use super::pack::sift_avx2;
+use super::pack::{Pack, sift_portable};
 
 /// Children of a node.
 pub(super) const WIDTH: usize = 8;
@@ -61,6 +64,10 @@ pub(super) trait Eight {
     /// # Safety
     /// The processor has the instruction set.
     unsafe fn enter(node: &Node, ray: &LocalRay, limit: f32) -> Entries;
+
+    /// # Safety
+    /// The processor has the instruction set.
+    unsafe fn sift(pack: &Pack, ray: &LocalRay, limit: f32) -> u32;
 }
 
 /// Whatever the target has.
@@ -89,6 +96,11 @@ impl Eight for Portable {
         }
         Entries { near, met }
     }
+
+    #[inline(always)]
+    unsafe fn sift(pack: &Pack, ray: &LocalRay, limit: f32) -> u32 {
+        sift_portable(pack, ray, limit)
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -98,27 +110,41 @@ pub(super) struct Avx2;
 impl Eight for Avx2 {
     #[inline(always)]
     unsafe fn enter(node: &Node, ray: &LocalRay, limit: f32) -> Entries {
-        use std::arch::x86_64::*;
-        // SAFETY: the caller has AVX2; every load is of eight numbers of an array of eight.
-        unsafe {
-            let mut near = _mm256_setzero_ps();
-            let mut far = _mm256_set1_ps(f32::INFINITY);
-            for axis in 0..3 {
-                let plane = ray.near_plane[axis];
-                let first = _mm256_load_ps(node.planes[plane].as_ptr());
-                let last =
-                    _mm256_load_ps(node.planes[if plane > 2 { plane - 3 } else { plane + 3 }].as_ptr());
-                let inverse = _mm256_set1_ps(ray.inverse[axis]);
-                let a = _mm256_mul_ps(_mm256_sub_ps(first, _mm256_set1_ps(ray.near_origin[axis])), inverse);
-                let b = _mm256_mul_ps(_mm256_sub_ps(last, _mm256_set1_ps(ray.far_origin[axis])), inverse);
-                near = _mm256_max_ps(a, near);
-                far = _mm256_min_ps(b, far);
-            }
-            far = _mm256_min_ps(_mm256_mul_ps(far, _mm256_set1_ps(WIDEN)), _mm256_set1_ps(limit));
-            let met = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32;
-            let mut entries = Entries { near: [0.0; WIDTH], met };
-            _mm256_store_ps(entries.near.as_mut_ptr(), near);
-            entries
-        }
+        // SAFETY: the caller has AVX2.
+        unsafe { enter_avx2(node, ray, limit) }
     }
+
+    #[inline(always)]
+    unsafe fn sift(pack: &Pack, ray: &LocalRay, limit: f32) -> u32 {
+        // SAFETY: the caller has AVX2.
+        unsafe { sift_avx2(pack, ray, limit) }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline]
+#[target_feature(enable = "avx2")]
+fn enter_avx2(node: &Node, ray: &LocalRay, limit: f32) -> Entries {
+    use std::arch::x86_64::*;
+    let mut near = _mm256_setzero_ps();
+    let mut far = _mm256_set1_ps(f32::INFINITY);
+    for axis in 0..3 {
+        let plane = ray.near_plane[axis];
+        let other = if plane > 2 { plane - 3 } else { plane + 3 };
+        // SAFETY: the loads are of the eight numbers of an array of eight, aligned as a node is.
+        let (first, last) = unsafe {
+            (_mm256_load_ps(node.planes[plane].as_ptr()), _mm256_load_ps(node.planes[other].as_ptr()))
+        };
+        let inverse = _mm256_set1_ps(ray.inverse[axis]);
+        let a = _mm256_mul_ps(_mm256_sub_ps(first, _mm256_set1_ps(ray.near_origin[axis])), inverse);
+        let b = _mm256_mul_ps(_mm256_sub_ps(last, _mm256_set1_ps(ray.far_origin[axis])), inverse);
+        near = _mm256_max_ps(a, near);
+        far = _mm256_min_ps(b, far);
+    }
+    far = _mm256_min_ps(_mm256_mul_ps(far, _mm256_set1_ps(WIDEN)), _mm256_set1_ps(limit));
+    let met = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32;
+    let mut entries = Entries { near: [0.0; WIDTH], met };
+    // SAFETY: the store is of eight numbers into an array of eight, aligned as entries are.
+    unsafe { _mm256_store_ps(entries.near.as_mut_ptr(), near) };
+    entries
 }

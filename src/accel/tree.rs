@@ -11,7 +11,7 @@ use arrayvec::ArrayVec;
 /// Children that wait while a ray is in a tree: on each level all but the one that it is in.
 ///
 /// A wide tree is no deeper than the binary one it is made of, whose depth [`DEPTH`] bounds.
-const STACK: usize = (WIDTH - 1) * (DEPTH + 1) + 1;
+pub(super) const STACK: usize = (WIDTH - 1) * (DEPTH + 1) + 1;
 
 /// A tree over leaves that only its owner knows.
 #[derive(Clone, Debug, PartialEq)]
@@ -147,6 +147,24 @@ impl Tree {
                 }
             }
         }
+    }
+
+    /// Boxes of all nodes and leaves, parents first, each with its level and, of leaves, the number.
+    pub fn boxes(&self) -> Vec<(u32, Aabb, Option<u32>)> {
+        let mut found = Vec::new();
+        let mut waiting = if self.nodes.is_empty() { vec![] } else { vec![(0, 0)] };
+        while let Some((at, level)) = waiting.pop() {
+            let node = &self.nodes[at as usize];
+            for slot in 0..node.len() {
+                let child = node.child[slot];
+                let is_leaf = child & LEAF != 0;
+                found.push((level, self.frame.release(&node.bounds(slot)), is_leaf.then_some(child & !LEAF)));
+                if !is_leaf {
+                    waiting.push((child, level + 1));
+                }
+            }
+        }
+        found
     }
 
     /// Length that the stack reaches on the worst of all ways through the tree.

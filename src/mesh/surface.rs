@@ -1,7 +1,7 @@
 //! The mesh as a surface: triangles in a hierarchy of boxes.
 
 use super::{Attribute, Corner, MeshError, Polygons, Tangents, Topology};
-use crate::accel::Bvh;
+use crate::accel::Facets;
 use crate::bounds::Aabb;
 use crate::num::certified::power_of_two_below;
 use crate::ray::{Crossing, Hit, Ray, Silent};
@@ -30,7 +30,7 @@ pub struct Repairs {
 pub struct Mesh {
     /// What a ray is tested against, in the order in which a tree's leaves lie about.
     pub(super) corners: Vec<[DVec3; 3]>,
-    pub(super) bvh: Bvh,
+    pub(super) bvh: Facets,
     /// The triangles with everything else: face `i` is triangle `i`.
     pub(super) triangles: Polygons,
     tangents: Tangents,
@@ -69,10 +69,10 @@ impl Mesh {
             inside_out,
         };
         let corners: Vec<[DVec3; 3]> = (0..triangles.len()).map(|f| corners(&triangles, f)).collect();
-        let boxes: Vec<Aabb> = corners.iter().map(|c| Aabb::of_points(*c)).collect();
-        let bounds = boxes.iter().fold(Aabb::EMPTY, |sum, b| sum.union(b));
+        let bounds = Aabb::of_points(corners.iter().flatten().copied());
+        let bvh = Facets::build(corners.len(), |face| corners[face as usize]);
         let tangents = Tangents::of(&triangles);
-        Ok(Mesh { corners, bvh: Bvh::build(&boxes), triangles, tangents, origin, bounds, topology, repairs })
+        Ok(Mesh { corners, bvh, triangles, tangents, origin, bounds, topology, repairs })
     }
 
     /// Number of triangles.
@@ -103,7 +103,7 @@ impl Mesh {
     }
 
     /// The hierarchy over [`Mesh::triangle`]s.
-    pub fn bvh(&self) -> &Bvh {
+    pub fn bvh(&self) -> &Facets {
         &self.bvh
     }
 
@@ -222,7 +222,7 @@ impl Shape for Mesh {
     fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
         let prepared = PreparedRay::new(ray);
         let test = |face, limit| self.meet(&prepared, face, t_min, limit);
-        Some(self.bvh.nearest(ray, t_min, t_max, &mut Silent, test)?.1)
+        Some(self.facets.nearest(ray, t_min, t_max, &mut Silent, test)?.1)
     }
 
     fn crossings(&self, ray: &Ray, out: &mut Vec<Crossing>) {
@@ -271,7 +271,7 @@ impl Shape for Mesh {
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
         let prepared = PreparedRay::new(ray);
         let blocks = |face| self.meet(&prepared, face, 0.0, t_max).is_some();
-        self.bvh.any(ray, 0.0, t_max, &mut Silent, blocks).is_some()
+        self.facets.any(ray, 0.0, t_max, &mut Silent, blocks).is_some()
     }
 
     fn parts(&self) -> u32 {

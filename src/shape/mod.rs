@@ -21,6 +21,7 @@ use fan::Fan;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 use std::fmt::Debug;
+use std::sync::Arc;
 
 /// Why a surface cannot be made from these numbers.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -185,4 +186,53 @@ pub trait Solid: Shape {
 /// The span between two crossings; `None` where they touch, for a touch encloses nothing.
 fn span_of_pair(enter: Crossing, leave: Crossing) -> Option<Span> {
     (enter.t < leave.t).then_some(Span { enter, leave })
+}
+
+/// A shape that several owners share: the instances of one mesh.
+impl<S: Shape + ?Sized> Shape for Arc<S> {
+    fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
+        (**self).nearest(ray, t_min, t_max)
+    }
+
+    fn crossings(&self, ray: &Ray, out: &mut Vec<Crossing>) {
+        (**self).crossings(ray, out);
+    }
+
+    fn hit(&self, ray: &Ray, crossing: &Crossing) -> Hit {
+        (**self).hit(ray, crossing)
+    }
+
+    fn point_at(&self, face: u32, uv: DVec2) -> DVec3 {
+        (**self).point_at(face, uv)
+    }
+
+    fn bounds(&self) -> Aabb {
+        (**self).bounds()
+    }
+
+    fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
+        (**self).blocks(ray, t_max)
+    }
+
+    fn is_costly(&self) -> bool {
+        (**self).is_costly()
+    }
+
+    fn may_block(&self, fan: &Fan) -> bool {
+        (**self).may_block(fan)
+    }
+
+    fn shade(&self, fan: &Fan, lit: &mut [f64]) {
+        (**self).shade(fan, lit);
+    }
+}
+
+impl<S: Solid + ?Sized> Solid for Arc<S> {
+    fn spans(&self, ray: &Ray, out: &mut Vec<Span>) {
+        (**self).spans(ray, out);
+    }
+
+    fn contains(&self, p: DVec3) -> bool {
+        (**self).contains(p)
+    }
 }

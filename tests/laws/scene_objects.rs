@@ -174,7 +174,8 @@ fn transformations_are_those_of_instances() {
         let (name, rest) = text.split_once(' ').unwrap_or((text, ""));
         let file = right(&format!("{name} {{ Material m {rest} {lines} }}"));
         let mut by_hand = right("Sphere { Material m }").scene;
-        by_hand.objects = vec![Object::new("by hand", Box::new(Instance::new(shape, map).unwrap()), 0)];
+        by_hand.objects =
+            vec![Object::new("by hand", Box::new(Instance::new(shape, map).unwrap()), 0)].into();
         // A rounding of 2⁻⁵³ through some hundred operations, on radiances below 2.
         let tolerance = 1e3 * f64::EPSILON;
         assert_eq!(differing(&file.scene, &by_hand, tolerance), 0.0, "{text}");

@@ -81,6 +81,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &["mesh"],
         builds_on: &[(4, "a ray meets a triangle"), (6, "a ray meets a cylinder")],
     },
+    Entry {
+        number: 12,
+        name: "nearest_of_many",
+        question: "How does a ray find the nearest of a million things, and from how many on does it pay to ask?",
+        chapter: "Surfaces",
+        introduces: &["accel"],
+        builds_on: &[(4, "the watertight triangle"), (11, "meshes")],
+    },
 ];
 
 impl Entry {

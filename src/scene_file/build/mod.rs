@@ -53,7 +53,7 @@ fn scene(
     let remark = log.iter().all(|d| d.severity != Severity::Error); // what is wrong comes first
     log.extend(pending::note(&settings, settings_block, &materials).filter(|_| remark));
     scene.materials = materials.into_iter().map(|(_, m)| m).chain(found).collect();
-    scene.objects = objects;
+    scene.objects = objects.into();
     scene.lights = lights;
     log.extend(darkness(&scene, blocks).filter(|_| remark));
     Some((scene, settings))

@@ -1,0 +1,247 @@
+//! Rays that break careless searches: in faces of boxes, along axes, from far away, among tiny things.
+
+use glam::{DVec3, dvec3};
+use lightbench::accel::{Ball, as_printed_nearest};
+use lightbench::bounds::Aabb;
+use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Table, grouped};
+use lightbench::measure::Method;
+use lightbench::ray::Ray;
+use lightbench::sample::{Sampler, uniform_sphere, uniform_triangle};
+use lightbench::shape::Shape;
+use lightbench::shape::sphere::Sphere;
+use lightbench::shape::triangle::PreparedRay;
+
+/// What a careless slab test says.
+enum Said {
+    Met,
+    Missed,
+    /// A comparison with NaN decided.
+    Nan,
+}
+
+/// `1/d` times the distances of the planes, smaller and larger by comparison, as it is often written. A NaN goes through.
+fn naive_slab(b: &Aabb, ray: &Ray) -> Said {
+    let (mut enter, mut leave) = (0.0, f64::INFINITY);
+    for axis in 0..3 {
+        let inverse = 1.0 / ray.direction[axis];
+        let p = (b.min[axis] - ray.origin[axis]) * inverse;
+        let q = (b.max[axis] - ray.origin[axis]) * inverse;
+        let (near, far) = if p < q { (p, q) } else { (q, p) };
+        enter = if enter > near { enter } else { near };
+        leave = if leave < far { leave } else { far };
+    }
+    match enter.is_nan() || leave.is_nan() {
+        true => Said::Nan,
+        false if enter <= leave => Said::Met,
+        false => Said::Missed,
+    }
+}
+
+/// The same with branches that drop a NaN, and nothing against roundings.
+fn guarded_slab(b: &Aabb, ray: &Ray) -> bool {
+    let (mut enter, mut leave) = (0.0f64, f64::INFINITY);
+    for axis in 0..3 {
+        let inverse = 1.0 / ray.direction[axis];
+        let p = (b.min[axis] - ray.origin[axis]) * inverse;
+        let q = (b.max[axis] - ray.origin[axis]) * inverse;
+        enter = enter.max(p.min(q));
+        leave = leave.min(p.max(q));
+    }
+    enter <= leave
+}
+
+fn our_slab(b: &Aabb, ray: &Ray) -> bool {
+    b.slab(ray.origin, ray.direction.recip(), 0.0, f64::INFINITY).is_some()
+}
+
+/// What became of rays of one kind that all meet their box.
+pub struct Hostile {
+    kind: &'static str,
+    rays: u32,
+    nan: u32,
+    /// By the careless test, by one that drops NaN, by ours.
+    pub lost: [u32; 3],
+}
+
+/// A point of a box, on some of its faces by chance, and a ray to it.
+type Case = fn(&mut Sampler) -> (Aabb, Ray);
+
+/// A box on a grid of quarters, so that sums are exact; sometimes without thickness.
+fn grid_box(s: &mut Sampler) -> Aabb {
+    let mut whole = |n: f64| (s.next_1d() * n).floor() * 0.25;
+    let low = dvec3(whole(16.0), whole(16.0), whole(16.0));
+    Aabb::new(low, low + dvec3(whole(4.0), whole(4.0), whole(4.0)))
+}
+
+fn along_axis(s: &mut Sampler, on_face: bool, zero: f64) -> (Aabb, Ray) {
+    let b = grid_box(s);
+    let axis = (s.next_1d() * 3.0) as usize % 3;
+    let mut target = b.min + (b.max - b.min) * DVec3::from_array([0; 3].map(|_| s.next_1d()));
+    if on_face {
+        target[(axis + 1) % 3] = b.min[(axis + 1) % 3];
+    }
+    let mut direction = DVec3::splat(zero);
+    direction[axis] = 1.0;
+    (b, Ray::new(target - direction * 8.0, direction))
+}
+
+const CASES: [(&str, Case); 5] = [
+    ("along an axis, through a box", |s| along_axis(s, false, 0.0)),
+    ("along an axis, in a face", |s| along_axis(s, true, 0.0)),
+    ("the same with zeros −0", |s| along_axis(s, true, -0.0)),
+    ("in the plane of a face, askew", |s| {
+        let b = grid_box(s);
+        let target = dvec3(b.min.x, (b.min.y + b.max.y) * 0.5, (b.min.z + b.max.z) * 0.5);
+        let mut whole = || (s.next_1d() * 16.0).floor() - 7.5;
+        let direction = dvec3(0.0, whole(), whole());
+        (b, Ray::new(target - direction, direction))
+    }),
+    ("to a slanted triangle without thickness, from 10⁶ sizes", |s| {
+        let corners = [dvec3(0.0, 0.0, 0.0), dvec3(1.0, 0.0, 0.25), dvec3(0.25, 0.0, 1.0)];
+        let w = uniform_triangle(s.next_2d());
+        let target = corners[0] * w.x + corners[1] * w.y + corners[2] * w.z;
+        let way = uniform_sphere(s.next_2d()) + dvec3(0.0, 0.01, 0.0);
+        let mut ray = Ray::new(target - way * 1.0e6, way);
+        // Rounding may carry the ray past the triangle: then another one is asked.
+        while PreparedRay::new(&ray).meet(corners).is_none_or(|m| m.t <= 0.0) {
+            ray = Ray::new(dvec3(0.3, s.next_1d() + 1.0, 0.3) * 1.0e6, DVec3::NEG_Y);
+            ray.origin.x = 0.3;
+            ray.origin.z = 0.3;
+        }
+        (Aabb::of_points(corners), ray)
+    }),
+];
+
+pub fn slabs(seed: u64, rays: u32) -> Vec<Hostile> {
+    let judge = |(n, (kind, case)): (usize, (&'static str, Case))| {
+        let mut found = Hostile { kind, rays, nan: 0, lost: [0; 3] };
+        for k in 0..rays {
+            let (b, ray) = case(&mut Sampler::new(seed, 20 + n as u64, k));
+            let naive = naive_slab(&b, &ray);
+            found.nan += u32::from(matches!(naive, Said::Nan));
+            found.lost[0] += u32::from(!matches!(naive, Said::Met));
+            found.lost[1] += u32::from(!guarded_slab(&b, &ray));
+            found.lost[2] += u32::from(!our_slab(&b, &ray));
+        }
+        found
+    };
+    CASES.into_iter().enumerate().map(judge).collect()
+}
+
+pub fn table(slabs: &[Hostile]) -> Figure {
+    let nan: u32 = slabs.iter().map(|s| s.nan).sum();
+    let mut table = Table::new(&[
+        "rays that meet a box",
+        "rays",
+        "NaN",
+        "lost, careless",
+        "lost, NaN dropped",
+        "lost, ours",
+    ])
+    .title(&format!("0 · ∞ is no number: {} times it decides, and a box is lost", grouped(u64::from(nan))))
+    .subtitle("boxes on a grid, a quarter of them without thickness on some axis; every ray meets its box");
+    for s in slabs {
+        let cells = [s.rays, s.nan, s.lost[0], s.lost[1], s.lost[2]].map(|n| grouped(u64::from(n)));
+        table = table.row(&[s.kind, &cells[0], &cells[1], &cells[2], &cells[3], &cells[4]]);
+    }
+    Figure::from(table).caption(
+        "A ray that runs in a face makes (x − o)/d = 0 · ∞ = NaN. Careless comparisons let it decide; dropping it keeps these rays, but not those \
+         whose entry and exit are rounded apart (Ize, 2013).",
+    )
+}
+
+/// Share of hits that a slab test loses, over thickness and distance.
+pub fn map(seed: u64, side: usize) -> Figure {
+    const TRIES: u32 = 24;
+    let mut ours = 0;
+    let map = FailureMap::new(
+        Axis::log("distance of the ray's origin, in sizes of the triangle").range(1.0, 1.0e16),
+        Axis::log("thickness of its box, in sizes").range(1.0e-20, 1.0),
+        "share of hits lost",
+        (side, side),
+        |distance, thickness| {
+            let (mut lost, mut asked) = (0, 0);
+            for k in 0..TRIES {
+                let mut s = Sampler::new(seed, distance.to_bits() ^ thickness.to_bits().rotate_left(9), k);
+                let corners = [
+                    dvec3(0.0, 0.1, 0.0),
+                    dvec3(1.0, 0.1 + thickness, 0.0),
+                    dvec3(0.0, 0.1 + thickness * 0.5, 1.0),
+                ];
+                let w = uniform_triangle(s.next_2d());
+                let target = corners[0] * w.x + corners[1] * w.y + corners[2] * w.z;
+                let way = uniform_sphere(s.next_2d());
+                let ray = Ray::new(target - way * distance, way);
+                if PreparedRay::new(&ray).meet(corners).is_some_and(|m| m.t > 0.0) {
+                    let b = Aabb::of_points(corners);
+                    asked += 1;
+                    lost += u32::from(!guarded_slab(&b, &ray));
+                    ours += u32::from(!our_slab(&b, &ray));
+                }
+            }
+            // Where every ray is rounded past the triangle nobody is asked.
+            Some(if asked == 0 { 0.0 } else { f64::from(lost) / f64::from(asked) })
+        },
+    )
+    .shades(lightbench::kit::figure::Shades::Linear)
+    .range(0.0, 1.0)
+    .failing_above(0.0, "loses hits");
+    let share = map.failing_share();
+    Figure::from(
+        map.title(&format!(
+            "Where a box is thinner than the rounding of the distance, hits are lost: {:.0} % of the map, ours none",
+            100.0 * share
+        ))
+        .subtitle(&format!(
+            "slab test without widening on the box of a level triangle; {TRIES} rays a cell that the watertight test says hit; ours lost {ours}"
+        )),
+    )
+    .caption(
+        "A slab test rounds entry and exit separately. If the box is thin, or far, they cross, and the box is said to be missed; our test \
+         moves the exit by the bound of its roundings.",
+    )
+}
+
+/// A's printed search over the size of the scene: how often it returns the wrong sphere.
+pub fn printed_search(seed: u64) -> Figure {
+    const RAYS: u32 = 400;
+    let mut wrong = Vec::new();
+    for k in 0..=20 {
+        let size = 10f64.powf(-10.0 + f64::from(k) * 0.5);
+        let sphere = |k: u32| {
+            let mut s = Sampler::new(seed, 40, k);
+            let center = uniform_sphere(s.next_2d()) * s.next_1d().cbrt();
+            (center * size, 0.2 * size)
+        };
+        let balls: Vec<(DVec3, f64)> = (0..60).map(sphere).collect();
+        let spheres: Vec<Sphere> = balls.iter().filter_map(|(c, r)| Sphere::new(*c, *r).ok()).collect();
+        let t = |i: u32, ray: &Ray| spheres[i as usize].nearest(ray, 0.0, f64::INFINITY).map(|c| c.t);
+        let hull = |i: u32| Ball { center: balls[i as usize].0, radius: balls[i as usize].1 };
+        let is_wrong = |k: u32| {
+            let mut s = Sampler::new(seed, 41, k);
+            let [a, b] = [0; 2].map(|_| uniform_sphere(s.next_2d()) * (2.0 * size));
+            let ray = Ray::new(a, (b - a).normalize_or(DVec3::X));
+            let all = 0..spheres.len() as u32;
+            let truth = all.clone().filter_map(|i| Some((i, t(i, &ray)?))).min_by(|a, b| a.1.total_cmp(&b.1));
+            as_printed_nearest(all, hull, &ray, |i| t(i, &ray)) != truth
+        };
+        let count = (0..RAYS).filter(|&k| is_wrong(k)).count();
+        wrong.push((size, count as f64 / f64::from(RAYS)));
+    }
+    let worst = wrong.iter().map(|w| w.1).fold(0.0, f64::max);
+    Figure::from(
+        Chart::new(
+            Axis::log("radius of the scene [m]"),
+            Axis::percent("rays that are given a wrong sphere").range(0.0, 1.0),
+        )
+        .title(&format!(
+            "With DELTA = 10⁻⁶ the printed search takes the wrong of near things: {:.0} % of rays in a small scene",
+            100.0 * worst
+        ))
+        .subtitle(&format!("60 spheres in a ball, {RAYS} chords a point; a later crossing wins if it is less than DELTA farther"))
+        .guide(Guide::upright(1.0e-6, "DELTA"))
+        .curve(Method::as_printed("as A prints it"), &wrong)
+        .curve(Method::default_of("ties to the lower index").styled(0), &wrong.iter().map(|w| (w.0, 0.0)).collect::<Vec<_>>()),
+    )
+    .caption("After A, illustration 72: a constant with a unit decides which of two objects is nearer.")
+}
