@@ -37,7 +37,7 @@ fn watertight(mesh: &Mesh, ray: &Ray) -> bool {
 /// Möller and Trumbore's test on the faces that the hierarchy offers.
 fn quick(mesh: &Mesh, ray: &Ray) -> bool {
     let test = |f: u32| moller_trumbore(ray, mesh.triangle(f as usize)).is_some_and(|m| m.t > 0.0);
-    mesh.facets().any(ray, 0.0, f64::INFINITY, &mut Silent, test).is_some()
+    mesh.bvh().any(ray, 0.0, f64::INFINITY, &mut Silent, test).is_some()
 }
 
 pub struct Cracks {

@@ -105,7 +105,7 @@ impl<'a> Line<'a> {
 /// Appends the crossings with `t > 0`, ascending.
 pub fn crossings(mesh: &Mesh, ray: &Ray, out: &mut Vec<Crossing>) {
     let mut line = Line::new(mesh, ray);
-    mesh.facets.each(ray, 0.0, f64::INFINITY, &mut Silent, |face| line.meet(face));
+    mesh.bvh.each(ray, 0.0, f64::INFINITY, &mut Silent, |face| line.meet(face));
     line.met.retain(|m| m.t > 0.0);
     let mut found: Vec<Crossing> = line.merged().iter().map(|m| mesh.crossing(m.t, m.face)).collect();
     found.sort_unstable_by(|a, b| a.t.total_cmp(&b.t).then(a.face.cmp(&b.face)));
@@ -118,9 +118,9 @@ pub fn crossings(mesh: &Mesh, ray: &Ray, out: &mut Vec<Crossing>) {
 pub fn spans(mesh: &Mesh, ray: &Ray, out: &mut Vec<Span>) {
     let mut line = Line::new(mesh, ray);
     let mut faces = Vec::new();
-    mesh.facets.each(ray, 0.0, f64::INFINITY, &mut Silent, |face| faces.push(face));
+    mesh.bvh.each(ray, 0.0, f64::INFINITY, &mut Silent, |face| faces.push(face));
     let back = Ray::new(ray.origin, -ray.direction);
-    mesh.facets.each(&back, 0.0, f64::INFINITY, &mut Silent, |face| faces.push(face));
+    mesh.bvh.each(&back, 0.0, f64::INFINITY, &mut Silent, |face| faces.push(face));
     faces.sort_unstable();
     faces.dedup();
     faces.into_iter().for_each(|face| line.meet(face));
@@ -150,7 +150,7 @@ pub fn spans(mesh: &Mesh, ray: &Ray, out: &mut Vec<Span>) {
 pub fn contains(mesh: &Mesh, p: DVec3) -> bool {
     let ray = Ray::new(p, ASKEW);
     let mut line = Line::new(mesh, &ray);
-    mesh.facets.each(&ray, 0.0, f64::INFINITY, &mut Silent, |face| line.meet(face));
+    mesh.bvh.each(&ray, 0.0, f64::INFINITY, &mut Silent, |face| line.meet(face));
     if line.met.iter().any(|m| m.t == 0.0) {
         return true;
     }

@@ -222,7 +222,7 @@ impl Shape for Mesh {
     fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
         let prepared = PreparedRay::new(ray);
         let test = |face, limit| self.meet(&prepared, face, t_min, limit);
-        Some(self.facets.nearest(ray, t_min, t_max, &mut Silent, test)?.1)
+        Some(self.bvh.nearest(ray, t_min, t_max, &mut Silent, test)?.1)
     }
 
     fn crossings(&self, ray: &Ray, out: &mut Vec<Crossing>) {
@@ -271,7 +271,7 @@ impl Shape for Mesh {
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
         let prepared = PreparedRay::new(ray);
         let blocks = |face| self.meet(&prepared, face, 0.0, t_max).is_some();
-        self.facets.any(ray, 0.0, t_max, &mut Silent, blocks).is_some()
+        self.bvh.any(ray, 0.0, t_max, &mut Silent, blocks).is_some()
     }
 
     fn parts(&self) -> u32 {
