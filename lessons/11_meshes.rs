@@ -28,7 +28,7 @@ use silhouette::Solid;
 
 /// From four sides to what the quality allows, doubling.
 const FEWEST: u32 = 2; // as a power of two
-const DIRECTIONS: u32 = 12; // from which a silhouette is looked at
+const DIRECTIONS: u32 = 256; // from which a silhouette is looked at
 
 fn main() -> Result {
     let lesson = Lesson::open(11)?;
@@ -40,9 +40,9 @@ fn main() -> Result {
     pictures::cylinders(&lesson)?;
 
     // 2. The contestants: the same as meshes, finer and finer; and three ways to store one.
-    let most = lesson.pick([6, 14, 16, 18]);
+    let (most, finest) = lesson.pick([(7, 6), (14, 9), (16, 10), (18, 11)]);
     let sweep = |solid: Solid, most: u32| silhouette::sweep(solid, seed, FEWEST..=most);
-    let (cylinder, sphere) = (sweep(Solid::Cylinder, most), sweep(Solid::Sphere, most.div_ceil(2) + 1));
+    let (cylinder, sphere) = (sweep(Solid::Cylinder, most), sweep(Solid::Sphere, finest));
     let formulas = [Solid::Cylinder, Solid::Sphere].map(|solid| silhouette::formula(solid, seed));
     let stored = queries::compare(&lesson);
     let rays = lesson.pick([2_000, 40_000, 200_000, 1_000_000]);
@@ -62,10 +62,10 @@ fn main() -> Result {
     let slopes = [&cylinder, &sphere].map(|sweep| log_slope(&silhouette::tail(&sweep.over_triangles), 1));
     lesson.claim(
         "Twice the triangles: a quarter of the cylinder's error, half of the sphere's.",
-        // Exactly −2 and −1 but for terms of 1/n², of which n starts at 16, and caps that take 4 triangles less.
+        // Exactly −2 and −1 but for terms of 1/n² from n = 16 on, and caps that take 4 triangles less.
         (slopes[0].value + 2.0).abs() < 0.05 && (slopes[1].value + 1.0).abs() < 0.1,
     );
-    let (shared, split) = (cracks.shared.failures().total(), cracks.split.failures().total());
+    let [shared, split] = cracks.leaks;
     lesson.claim(
         &format!(
             "Through faces that share their points no ray of {} gets out; through torn ones {split} do.",
@@ -79,7 +79,7 @@ fn main() -> Result {
         h.euler() == topology.euler() && h.is_closed() && h.polygons().faces().eq(mesh.faces())
     });
     lesson.claim(
-        "Half-edges hold what polygons hold, answer for an eighth of a permille of the reads, and take more memory.",
+        "Half-edges hold what polygons hold, answer for less than a permille of the reads, and take more memory.",
         agree && topology.genus() == Some(1) && stored.half_edges_pay(),
     );
     let sides = std::f64::consts::PI / (2.0 * U).sqrt();

@@ -1,7 +1,7 @@
 //! What breaks a mesh: rays from inside a closed body, aimed at corners and edges of its faces, that meet nothing.
 
 use glam::{DVec3, dvec3};
-use lightbench::measure::{Failures, Point, Series, Spread, log_spaced};
+use lightbench::measure::{Point, Series, Spread, log_spaced};
 use lightbench::mesh::{Mesh, Polygons, Topology, tessellate};
 use lightbench::ray::{Ray, Silent};
 use lightbench::sample::Sampler;
@@ -26,9 +26,8 @@ fn ray(seed: u64, i: u32, mesh: &Mesh) -> Ray {
     Ray::new(origin, (aim(seed, i, mesh) - origin).normalize())
 }
 
-fn leaks(seed: u64, rays: u32, mesh: &Mesh, met: impl Fn(&Mesh, &Ray) -> bool + Sync) -> Failures {
-    let missed = (0..rays).into_par_iter().filter(|&i| !met(mesh, &ray(seed, i, mesh))).count() as u64;
-    Failures { missed, of: u64::from(rays), ..Failures::default() }
+fn leaks(seed: u64, rays: u32, mesh: &Mesh, met: impl Fn(&Mesh, &Ray) -> bool + Sync) -> u64 {
+    (0..rays).into_par_iter().filter(|&i| !met(mesh, &ray(seed, i, mesh))).count() as u64
 }
 
 fn watertight(mesh: &Mesh, ray: &Ray) -> bool {
@@ -46,7 +45,8 @@ pub struct Cracks {
     pub shared: Series,
     /// Faces with points of their own, each moved by itself.
     pub split: Series,
-    /// Rays shot through each of both.
+    /// Rays that got out of the one and of the other, and how many were shot at each.
+    pub leaks: [u64; 2],
     pub of: u64,
 }
 
@@ -55,14 +55,14 @@ pub fn cracks(seed: u64, rays: u32) -> Cracks {
     let ball = tessellate::icosphere(2);
     let torn = Polygons::of_triangles(&(0..ball.len()).map(|f| corners(&ball, f)).collect::<Vec<_>>());
     let distances = log_spaced(1.0e-17, 1.0e-2, 16);
-    let point = |polygons: &Polygons, distance: f64| {
-        let failures = leaks(seed, rays, &moved(seed, polygons, distance), watertight);
-        Point { failures, ..Point::at(distance).erred(Spread::exact(failures.share())) }
+    let over = |polygons: &Polygons| {
+        let leak = |&d: &f64| leaks(seed, rays, &moved(seed, polygons, d), watertight);
+        let all: Vec<u64> = distances.iter().map(leak).collect();
+        let point = |(&d, &n): (&f64, &u64)| Point::at(d).erred(Spread::exact(n as f64 / f64::from(rays)));
+        (Series::new(distances.iter().zip(&all).map(point).collect()), all.iter().sum())
     };
-    let over = |p: &Polygons| Series::new(distances.iter().map(|&d| point(p, d)).collect());
-    let (shared, split) = (over(&ball), over(&torn));
-    let of = shared.failures().of;
-    Cracks { shared, split, of }
+    let ((shared, none), (split, some)) = (over(&ball), over(&torn));
+    Cracks { shared, split, leaks: [none, some], of: u64::from(rays) * distances.len() as u64 }
 }
 
 fn corners(mesh: &Polygons, face: usize) -> [DVec3; 3] {
@@ -110,12 +110,7 @@ pub fn cases(seed: u64, rays: u32) -> Vec<Case> {
     let case = |name, polygons: Polygons, whole| {
         let mesh = Mesh::new(&polygons).expect("a mesh");
         let tests: [fn(&Mesh, &Ray) -> bool; 2] = [watertight, quick];
-        Case {
-            name,
-            topology: *mesh.topology(),
-            leaks: tests.map(|t| leaks(seed, rays, &mesh, t).missed),
-            whole,
-        }
+        Case { name, topology: *mesh.topology(), leaks: tests.map(|t| leaks(seed, rays, &mesh, t)), whole }
     };
     vec![
         case("sphere of 320 faces that share their points", ball(), true),

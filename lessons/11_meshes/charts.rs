@@ -23,9 +23,9 @@ pub fn silhouette(cylinder: &Sweep, sphere: &Sweep) -> Figure {
             grouped(most as u64),
             short(error)
         ))
-        .subtitle("12 random views of radius 1 m, each halved 60 times between a ray that meets the mesh and one that misses")
-        .guide(Guide::slope(-2.0, "slope −2"))
-        .guide(Guide::slope(-1.0, "slope −1"))
+        .subtitle("256 random views of radius 1 m, each halved 60 times between a ray that meets the mesh and one that misses")
+        .guide(below(cylinder, -2.0, "slope −2"))
+        .guide(below(sphere, -1.0, "slope −1"))
         .guide(Guide::level(f64::EPSILON / 2.0, "f64 sees no difference"));
     let chart = [cylinder, sphere].into_iter().fold(chart, |c, s| c.line(name(s.solid), &s.over_triangles));
     Figure::from(chart).caption(
@@ -35,6 +35,13 @@ pub fn silhouette(cylinder: &Sweep, sphere: &Sweep) -> Figure {
     )
 }
 
+/// A guide a little below the last point of a sweep.
+fn below(sweep: &Sweep, slope: f64, label: &str) -> Guide {
+    let last = sweep.over_triangles.points.last();
+    let (x, y) = last.map_or((1.0, 1.0), |p| (p.parameter, p.error.map_or(1.0, |e| e.mid)));
+    Guide::slope_through(slope, x, 0.25 * y, label)
+}
+
 pub fn nanoseconds(time: Spread) -> String {
     format!("{:.0} ns a ray", time.mid * 1e9)
 }
@@ -42,7 +49,7 @@ pub fn nanoseconds(time: Spread) -> String {
 pub fn speed(cylinder: &Sweep, sphere: &Sweep, formulas: &[Formula; 2]) -> Figure {
     let formula = |f: &Formula| Series::new(vec![Point::at(1.0).erred(Spread::exact(f.error)).timed(f.time)]);
     let mut chart = Chart::speed_accuracy("the outline falls short by, in radii (worst)")
-        .x(Axis::time("time per ray, nearest triangle"))
+        .x(Axis::time("time per ray, nearest hit"))
         .title("A formula is exact for the price of a mesh of a few triangles")
         .subtitle("meshes from 4 sides on, doubling, against shape::Cylinder and shape::Sphere; rays at the cube that holds them")
         .line(Method::default_of("cylinder, formula").styled(0), &formula(&formulas[0]))
@@ -113,7 +120,7 @@ pub fn cracks(cracks: &Cracks, rays: u32) -> Figure {
     let chart = Chart::error_over(axis, "share of rays that leak out")
         .title(&format!(
             "Torn faces leak {} of {} rays, joined ones none",
-            grouped(cracks.split.failures().total()),
+            grouped(cracks.leaks[1]),
             grouped(cracks.of)
         ))
         .subtitle(&format!(
@@ -121,7 +128,7 @@ pub fn cracks(cracks: &Cracks, rays: u32) -> Figure {
             grouped(u64::from(rays))
         ))
         .line(Method::default_of("faces share their points").styled(0), &cracks.shared)
-        .line(Method::new("every face has its own").styled(1), &cracks.split);
+        .line(Method::new("each has its own").styled(1), &cracks.split);
     Figure::from(chart).caption(
         "The same sphere twice; its points are moved at random. Where faces share their points the surface is dented and stays whole. \
          Where each face has its own, copies that were equal move apart: from one rounding on, rays find the cracks, as many at \

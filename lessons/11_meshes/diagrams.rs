@@ -33,7 +33,7 @@ fn subscript(i: usize) -> char {
     ['₀', '₁', '₂', '₃', '₄'][i]
 }
 
-const HALF: DVec2 = dvec2(0.34, 0.2);
+const HALF: DVec2 = dvec2(0.42, 0.2);
 
 /// A box with a name.
 fn cell(diagram: Diagram, at: DVec2, name: &str) -> Diagram {
@@ -122,7 +122,7 @@ pub fn edges() -> Figure {
         .note(dvec2(6.9, TOP), "polygons")
         .note(dvec2(8.9, TOP), "edges")
         .note(dvec2(11.0, TOP), "vertices")
-        .title("With a list of edges the shared edge is there once: 16 indices instead of 6")
+        .title("With edges the shared one is stored once: 16 indices, not 6")
         .subtitle("the same object; purple: the edge that both polygons name")
         .alt("The two triangles with their shared edge E2 marked; a tree from the object by polygons and five edges to four vertices.");
     Figure::from(d).caption(

@@ -11,6 +11,7 @@ use lightbench::render::{Picture, render};
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::Shape;
 use lightbench::shape::cylinder::Cylinder;
+use lightbench::shape::plane::Plane;
 
 fn wrong(e: impl std::fmt::Display) -> LessonError {
     LessonError::Other(e.to_string())
@@ -29,12 +30,8 @@ fn scene(shape: Box<dyn Shape>, color: DVec3, target: DVec3, eye: DVec3, height:
         ..Default::default()
     };
     scene.materials = vec![paint("floor", dvec3(0.74, 0.72, 0.69)), paint("thing", color)];
-    let floor = Polygons::of_triangles(&[[
-        dvec3(-99.0, 0.0, -99.0),
-        dvec3(0.0, 0.0, 299.0),
-        dvec3(99.0, 0.0, -99.0),
-    ]]);
-    scene.objects.push(Object::new("floor", Box::new(Mesh::new(&floor).map_err(wrong)?), 0));
+    let floor = Plane::new(DVec3::ZERO, DVec3::Y).map_err(wrong)?;
+    scene.objects.push(Object::new("floor", Box::new(floor), 0));
     scene.objects.push(Object::new("thing", shape, 1));
     let place = target + (eye - target).length() * dvec3(-0.75, 1.1, 0.45);
     let lamp = AreaLight::new(
@@ -47,13 +44,13 @@ fn scene(shape: Box<dyn Shape>, color: DVec3, target: DVec3, eye: DVec3, height:
     );
     scene.lights.push(Light::Area(lamp.map_err(wrong)?.subdivided(3, 3, Placement::Jittered)));
     scene.background = PAPER;
-    scene.ambient = DVec3::splat(0.17);
+    scene.ambient = DVec3::splat(0.22);
     Ok(scene)
 }
 
 fn picture(lesson: &Lesson, scene: &Scene, aspect: f64) -> Image {
     let (width, samples) = lesson.pick([(32, 1), (320, 4), (480, 16), (800, 16)]);
-    let height = (f64::from(width) * aspect) as u32;
+    let height = (width as f64 * aspect) as usize;
     render(scene, &Local::default(), Picture { width, height, samples, seed: lesson.seed() }).image
 }
 

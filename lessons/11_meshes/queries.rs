@@ -20,11 +20,11 @@ pub struct Stored {
 }
 
 impl Stored {
-    /// Does the half-edge read less than 1/8000 for a one-ring, and take more memory?
+    /// Do half-edges read less than a permille for a one-ring, and take more memory?
     pub fn half_edges_pay(&self) -> bool {
         let ring = self.queries[0].reads;
         let [polygons, _, half] = self.bytes;
-        (ring[2] * 8000.0 < ring[0] || self.topology.faces < 50_000) && half > polygons
+        1000.0 * ring[2] < ring[0] && half > polygons
     }
 }
 

@@ -76,7 +76,9 @@ pub fn read(
         }
     };
     let errors = file.errors();
-    files.extend(Some(file.remarks.clone()).filter(|r| !r.is_empty()));
+    // A file that is named twice is remarked upon once.
+    let is_new = files.iter().all(|f| f.name != file.remarks.name);
+    files.extend(Some(file.remarks.clone()).filter(|r| is_new && !r.is_empty()));
     if errors > 0 {
         let word = if errors == 1 { "1 error".to_string() } else { format!("{errors} errors") };
         log.push(wrong(format!("{} has {word}", path.display())).expected("a right OBJ file"));

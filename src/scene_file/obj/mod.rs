@@ -196,9 +196,9 @@ fn inspect(polygons: &Polygons, faces: &[Face], log: &mut Vec<Diagnostic>) {
     note(&bent, "a face is not flat", "faces are not flat, the first of them here", help);
 }
 
-/// How far corners may lie off their plane, per size of a face, before it is worth a word. Tuned: files print 6 digits, which
-/// leaves 10⁻⁶; quadrilaterals of curved surfaces bend by 10⁻³ and more.
-const FLATNESS: f64 = 1e-4;
+/// How far corners may lie off their plane, per size of a face, before it is worth a word. Tuned: quadrilaterals of coarse
+/// curved surfaces bend by a few hundredths; a corner of a square that is bent by a right angle lies half its size off.
+const FLATNESS: f64 = 0.1;
 
 fn is_bent(polygons: &Polygons, face: usize) -> bool {
     let outline: Vec<DVec3> = polygons.outline(face).collect();

@@ -207,7 +207,11 @@ fn odd_faces_are_cut_with_a_note() {
         file.remarks.notes().map(|d| (file.remarks.place(d).line, d.message.as_str())).collect();
     assert_eq!(
         notes,
-        [(10, "a face has no area"), (11, "the outline of a face crosses itself"), (13, "a face is not flat")],
+        [
+            (10, "a face has no area"),
+            (11, "the outline of a face crosses itself"),
+            (13, "a face is not flat")
+        ],
         "{}",
         file.remarks.render(Color::Never)
     );
