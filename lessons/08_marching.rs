@@ -10,9 +10,9 @@ use lightbench::kit::figure::{grouped, short};
 use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Failures, Method, Point, Series, Spread, log_spaced, time_each};
 use lightbench::ray::Ray;
-use lightbench::sdf::printed::AsPrinted;
-use lightbench::sdf::{DistanceField, March, Stride};
 
+#[path = "08_marching/contestant.rs"]
+mod contestant;
 #[path = "08_marching/figures.rs"]
 mod figures;
 #[path = "08_marching/general.rs"]
@@ -25,6 +25,7 @@ mod sponge;
 mod stage;
 #[path = "08_marching/trouble.rs"]
 mod trouble;
+use contestant::{Contestant, is_wrong};
 use stage::Stage;
 
 /// Every method with its measurements.
@@ -84,7 +85,10 @@ fn main() -> Result {
         divided == 0 && leapt > 0,
     );
     lesson.claim(
-        &format!("Walked through its grid or marched through its field, the sponge is the same in all {} rays.", sponge.of()),
+        &format!(
+            "Walked through its grid or marched through its field, the sponge is the same in all {} rays.",
+            sponge.of()
+        ),
         sponge.wrong() == 0,
     );
     let work = |p: &Point| p.work.unwrap_or(f64::NAN);
@@ -102,54 +106,13 @@ fn main() -> Result {
     ))
 }
 
-/// Who marches.
-#[derive(Clone, Copy)]
-enum Contestant {
-    Printed,
-    Marching(Stride),
-}
-
-impl Contestant {
-    const ALL: [Contestant; 4] = {
-        let [plain, relaxed, enhanced] = Stride::ALL;
-        [Contestant::Printed, Contestant::Marching(plain), Contestant::Marching(relaxed), Contestant::Marching(enhanced)]
-    };
-
-    fn method(self) -> Method {
-        match self {
-            Contestant::Printed => Method::as_printed("as printed"),
-            Contestant::Marching(s @ Stride::Plain) => Method::new(s.name()).styled(2),
-            Contestant::Marching(s @ Stride::OverRelaxed { .. }) => Method::new(s.name()).styled(3),
-            Contestant::Marching(s @ Stride::Enhanced { .. }) => Method::default_of(s.name()).styled(0),
-        }
-    }
-
-    /// Distance to the surface, and evaluations of the field.
-    fn ask(self, field: &impl DistanceField, ray: &Ray, accuracy: f64) -> (Option<f64>, u32) {
-        match self {
-            Contestant::Printed => {
-                let (hit, steps) = AsPrinted::new(accuracy, MOST_STEPS).intersect(&[field], ray);
-                (hit.map(|(t, _)| t).filter(|t| *t < FAR), steps)
-            }
-            Contestant::Marching(stride) => {
-                let march = March::through(field).with_stride(stride).with_tolerance(accuracy);
-                let done = march.first(field, ray, 0.0, FAR);
-                (done.distance, done.steps + done.polish)
-            }
-        }
-    }
-}
-
-/// Is an answer another pixel than the truth?
-fn is_wrong(found: Option<f64>, truth: Option<f64>) -> bool {
-    match (found, truth) {
-        (Some(t), Some(truth)) => !((t - truth).abs() <= WRONG * truth),
-        (found, truth) => found.is_some() != truth.is_some(),
-    }
-}
-
 /// Share of wrong pixels, evaluations and time per ray.
-fn measured(rays: &[Ray], truth: &[Option<f64>], parameter: f64, ask: impl Fn(&Ray) -> (Option<f64>, u32)) -> Point {
+fn measured(
+    rays: &[Ray],
+    truth: &[Option<f64>],
+    parameter: f64,
+    ask: impl Fn(&Ray) -> (Option<f64>, u32),
+) -> Point {
     let mut failures = Failures { of: rays.len() as u64, ..Failures::default() };
     let mut evaluations = 0u64;
     for (ray, truth) in rays.iter().zip(truth) {
@@ -158,7 +121,7 @@ fn measured(rays: &[Ray], truth: &[Option<f64>], parameter: f64, ask: impl Fn(&R
         let wrong = u64::from(is_wrong(found, *truth));
         if found.is_some() { failures.false_hits += wrong } else { failures.missed += wrong }
     }
-    let some: Vec<Ray> = rays.iter().step_by(rays.len().div_ceil(256)).copied().collect();
+    let some: Vec<Ray> = rays.iter().step_by(rays.len().div_ceil(128)).copied().collect();
     let time = time_each(some.len(), || some.iter().filter(|r| ask(r).0.is_some()).count());
     let point = Point::at(parameter).timed(time).worked(evaluations as f64 / rays.len() as f64);
     Point { failures, ..point.erred(Spread::exact(failures.share())) }

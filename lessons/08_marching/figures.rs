@@ -42,17 +42,23 @@ pub fn work(contest: &Contest, rays: usize) -> Figure {
     let at = |k: usize| contest[k].1.points.last().and_then(|p| p.work).unwrap_or(f64::NAN);
     let mut chart = Chart::work_accuracy("evaluations of the field per ray", "share of wrong pixels")
         .title(&format!(
-            "Longer strides save {:.0} % of the evaluations and lose no pixel",
+            "Enhanced strides save {:.0} % of the evaluations and lose no pixel",
             100.0 * (1.0 - at(3) / at(1))
         ))
-        .subtitle(&format!("{rays} rays; ε or τ from 10⁻¹ to 10⁻⁷ m; steps taken back and the polishing of roots included"));
+        .subtitle(&format!(
+            "{rays} rays; ε or τ from 10⁻¹ to 10⁻⁷ m; steps taken back and the polishing of roots included"
+        ));
     for (method, series) in contest {
         chart = chart.line(method.clone(), series);
     }
-    Figure::from(chart).caption(
-        "The same in counted work. An over-relaxed step is 1.6 radii of the free ball, an enhanced one nearly what a flat surface would \
+    Figure::from(chart).caption(&format!(
+        "The same in counted work: {:.1} evaluations a ray by plain strides, {:.1} by over-relaxed and {:.1} by enhanced ones at the finest \
+         tolerance. An over-relaxed step is 1.6 radii of the free ball until one fails, an enhanced one nearly what a flat surface would \
          allow; both are taken back where the balls do not touch.",
-    )
+        at(1),
+        at(2),
+        at(3)
+    ))
 }
 
 /// [E slide 79]: a ray past one solid to another, in the plane.
@@ -89,7 +95,7 @@ pub fn steps() -> Figure {
     }
     Figure::from(
         diagram
-            .title(&format!("Each step leaps to the edge of a ball without surface: {} steps to the box", plain.len()))
+            .title(&format!("Each step leaps to the edge of an empty ball: {} steps to the box", plain.len()))
             .subtitle(&format!(
                 "section through a sphere and a box; plain strides, as traced; enhanced strides take {}",
                 enhanced.len()

@@ -1,6 +1,6 @@
 //! The general method: roots of F along a ray, a condition on them, and four ways to find the roots.
 
-use super::is_wrong;
+use super::contestant::is_wrong;
 use glam::{DVec3, dvec3};
 use lightbench::kit::figure::{Axis, Chart, Figure, Guide, Table};
 use lightbench::kit::lesson::{Lesson, Result};
@@ -28,9 +28,14 @@ fn condition() -> Figure {
     let implicit = |t: f64| ray.at(t).length_squared() - 1.0;
     let roots: Vec<f64> = ball.roots(&ray).map_or(Vec::new(), |(a, b)| vec![a, b]);
     let met = first(roots.iter().copied(), |t| ray.at(t).y < 0.2).unwrap_or(f64::NAN);
-    let along = |f: &dyn Fn(f64) -> f64| (0..=240).map(|i| f64::from(i) * 4.2 / 240.0).map(|t| (t, f(t))).collect::<Vec<_>>();
+    let along = |f: &dyn Fn(f64) -> f64| {
+        (0..=240).map(|i| f64::from(i) * 4.2 / 240.0).map(|t| (t, f(t))).collect::<Vec<_>>()
+    };
     let chart = Chart::new(Axis::linear("distance along the ray t, m"), Axis::linear("field"))
-        .title(&format!("Of the roots {:.2} and {:.2} the condition leaves the second: the ray falls into the bowl", roots[0], roots[1]))
+        .title(&format!(
+            "Of the roots {:.2} and {:.2} the condition leaves the second: the ray falls into the bowl",
+            roots[0], roots[1]
+        ))
         .subtitle("a unit sphere cut open above y = 0.2: F(o + tv) = 0 and C(p): y < 0.2")
         .function(Method::new("F = p·p − 1").styled(2), &along(&implicit))
         .function(Method::new("signed distance").styled(0), &along(&|t| ball.distance(ray.at(t))))
@@ -59,9 +64,10 @@ fn methods(lesson: &Lesson) -> Figure {
     let torus = Torus::new(0.8, 0.25).expect("a ring");
     let count = lesson.pick([64, 1000, 4000, 20_000]);
     let rays: Vec<Ray> = (0..count).map(|i| ray(&torus, lesson.seed(), i)).collect();
-    let mut table = Table::new(&["Method", "evaluations per ray", "misses", "wrong root", "false hits", "of"])
-        .title("Without a bound on the field, roots are lost in pairs; the march loses none")
-        .subtitle("torus (0.8, 0.25) m; every second ray dives 0.2 m to 0.2 µm deep along the surface");
+    let mut table =
+        Table::new(&["Method", "evaluations per ray", "misses", "wrong root", "false hits", "of"])
+            .title("Without a bound on the field, roots are lost in pairs; the march loses none")
+            .subtitle("torus (0.8, 0.25) m; every second ray dives 0.2 m to 0.2 µm deep along the surface");
     let evaluations = Cell::new(0u64);
     let f = |r: &Ray, t: f64| {
         evaluations.set(evaluations.get() + 1);
@@ -70,17 +76,24 @@ fn methods(lesson: &Lesson) -> Figure {
     let slope = |r: &Ray, t: f64| (f(r, t), torus.gradient(r.at(t)).dot(r.direction));
     type Way<'a> = (&'a str, Box<dyn Fn(&Ray) -> Option<f64> + 'a>);
     let ways: [Way; 4] = [
-        ("signs at 64 places, bisected", Box::new(|r| {
-            let roots: Vec<f64> = brackets(|t| f(r, t), 0.0, 8.0, PLACES).map(|b| bisection(|t| f(r, t), b)).collect();
-            first(roots, |_| true)
-        })),
+        (
+            "signs at 64 places, bisected",
+            Box::new(|r| {
+                let roots: Vec<f64> =
+                    brackets(|t| f(r, t), 0.0, 8.0, PLACES).map(|b| bisection(|t| f(r, t), b)).collect();
+                first(roots, |_| true)
+            }),
+        ),
         ("Newton from the origin", Box::new(|r| newton(|t| slope(r, t), 0.0, 1e-9, 60).filter(|t| *t > 0.0))),
         ("direct: the quartic's formula", Box::new(|r| torus.nearest(r, 0.0, f64::INFINITY).map(|c| c.t))),
-        ("marching, enhanced", Box::new(|r| {
-            let done = March::through(&torus).first(&torus, r, 0.0, 8.0);
-            evaluations.set(evaluations.get() + u64::from(done.steps + done.polish));
-            done.distance
-        })),
+        (
+            "marching, enhanced",
+            Box::new(|r| {
+                let done = March::through(&torus).first(&torus, r, 0.0, 8.0);
+                evaluations.set(evaluations.get() + u64::from(done.steps + done.polish));
+                done.distance
+            }),
+        ),
     ];
     for (name, way) in &ways {
         evaluations.set(0);

@@ -1,13 +1,14 @@
 //! What the steps look like: heat maps, holes, and normals.
 
+use super::contestant::Contestant;
 use super::stage::{FROM_ABOVE, HOME, Stage, picture};
 use super::trouble::planet;
-use super::{Contestant, FAR, STEEP};
+use super::{FAR, STEEP};
 use glam::{DVec2, DVec3, dvec3};
 use lightbench::color::Rgb;
 use lightbench::film::Image;
 use lightbench::kit::figure::colormap::viridis;
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, Shades};
+use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, Shades, short};
 use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, log_spaced};
 use lightbench::ray::Ray;
@@ -49,11 +50,21 @@ fn heat(lesson: &Lesson, width: usize) -> Result {
         let (column, row) = (x as usize, height - 1 - (y as usize).min(height - 1));
         counts.get(row * width + column).copied()
     };
-    let map = FailureMap::new(axis("column, pixels", width), axis("row, pixels", height), "evaluations", (width, height), cell)
-        .shades(Shades::Decades)
-        .range(FEW, MANY)
-        .title(&format!("Rays that graze take the steps: {:.0} on average, {:.0} at most", mean(&counts), max(&counts)))
-        .subtitle("evaluations of the field for each camera ray of the still life; plain strides, τ = 10⁻⁵ m");
+    let map = FailureMap::new(
+        axis("column, pixels", width),
+        axis("row, pixels", height),
+        "evaluations",
+        (width, height),
+        cell,
+    )
+    .shades(Shades::Decades)
+    .range(FEW, MANY)
+    .title(&format!(
+        "Rays that graze take the steps: {:.0} on average, {:.0} at most",
+        mean(&counts),
+        max(&counts)
+    ))
+    .subtitle("evaluations of the field for each camera ray of the still life; plain strides, τ = 10⁻⁵ m");
     lesson.save("heat", Figure::from(map).alt(
         "Heat map of a still life: sphere, ring, box, cylinder and cone are dark; their outlines and the far floor glow.",
     ).caption(
@@ -69,17 +80,23 @@ fn max(values: &[f64]) -> f64 {
 fn strides(lesson: &Lesson, width: usize) -> Result {
     let stage = Stage::new(HOME);
     let all = Stride::ALL.map(|s| (s, counts(&stage, width, s)));
-    let mut panels = Panels::new().columns(3).title(&format!(
-        "Enhanced strides need {:.0} evaluations where plain ones need {:.0}",
-        mean(&all[2].1),
-        mean(&all[0].1)
-    )).subtitle(&format!("evaluations of the field a ray, on a logarithm from dark ({FEW}) to yellow ({MANY})"));
+    let mut panels = Panels::new()
+        .columns(3)
+        .title(&format!(
+            "Enhanced strides need {:.0} evaluations where plain ones need {:.0}",
+            mean(&all[2].1),
+            mean(&all[0].1)
+        ))
+        .subtitle(&format!(
+            "evaluations of the field a ray, on a logarithm from dark ({FEW}) to yellow ({MANY})"
+        ));
     for (stride, counts) in &all {
         let shade = |n: &f64| viridis((n / FEW).ln() / (MANY / FEW).ln());
         let pixels = Pixels::new(width, width * 2 / 3, counts.iter().flat_map(shade).collect());
         panels = panels.picture(pixels, &format!("{}, {:.1} a ray", stride.name(), mean(counts)));
     }
-    let alt = "Three heat maps of the same still life; outlines glow in all, the floor darkens from left to right.";
+    let alt =
+        "Three heat maps of the same still life; outlines glow in all, the floor darkens from left to right.";
     lesson.save("strides", Figure::from(panels.alt(alt)).caption(
         "The same rays by plain, over-relaxed and enhanced strides, polishing of the root included. The pixels' colours are the same.",
     ))
@@ -106,25 +123,40 @@ fn lit(width: usize, amplitude: f64, found: impl Fn(&Ray) -> Option<f64>) -> Pix
 }
 
 fn holes(lesson: &Lesson, width: usize) -> Result {
-    let amplitude = 0.75 * STEEP.end;
+    let amplitude = STEEP.end;
     let field = planet(amplitude);
     let printed = |part: f64| {
         let march = AsPrinted::new(1.0e-4, 1000).with_share(part);
         lit(width, amplitude, |r| march.intersect(&[&field], r).0.map(|h| h.0))
     };
     let ours = lit(width, amplitude, |r| March::through(&field).first(&field, r, 0.0, FAR).distance);
-    let panels = Panels::new()
+    let shots = [
+        ("as printed", printed(1.0)),
+        ("half of each step", printed(0.5)),
+        ("divided by its bound", ours.clone()),
+    ];
+    let mut panels = Panels::new()
         .columns(3)
-        .title("A field of slope 4 must be divided by 4: whole leaps end behind the surface")
-        .subtitle(&format!("unit sphere + {amplitude} sin 20x sin 20y sin 20z"))
-        .picture(printed(1.0), "as printed: whole steps")
-        .picture(printed(0.5), "half of each step, on trust")
-        .picture(ours, "divided by its bound (default)")
-        .alt("Three pictures of a knobbly sphere: the first torn and blotched, the second with frayed rims, the third whole.");
+        .title("A field of slope 5 is divided by 5, or leapt through")
+        .subtitle(&format!(
+            "unit sphere + {} sin 20x sin 20y sin 20z; percentages: pixels unlike the last picture's",
+            short(amplitude)
+        ))
+        .alt("Three pictures of a knobbly sphere: the first torn to a lattice, the second with frayed knobs, the third whole.");
+    for (name, pixels) in shots {
+        let unlike = pixels.rgb.chunks(3).zip(ours.rgb.chunks(3)).filter(|(a, b)| differ(a, b)).count();
+        let share = 100.0 * unlike as f64 / (ours.width * ours.height) as f64;
+        panels = panels.picture(pixels, &format!("{name}: {share:.1} %"));
+    }
     lesson.save("holes", Figure::from(panels).caption(
-        "What a field does that is steeper than a distance. Whole steps leap into and through the knobs; half steps lose some rims; divided \
-         by the Lipschitz bound every knob is there.",
+        "What a field does that is steeper than a distance. Whole steps leap into and through the knobs; half steps, on trust, lose some; \
+         divided by the Lipschitz bound every knob is there.",
     ))
+}
+
+/// Do two colours differ by more than what an accuracy of 0.1 mm does to the normal: a tenth of the scale?
+fn differ(a: &[u8], b: &[u8]) -> bool {
+    a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 25)
 }
 
 /// Error of the normal over the step of the difference.
@@ -143,13 +175,19 @@ fn normals(lesson: &Lesson) -> Figure {
     let steps = log_spaced(1.0e-14, 1.0e-1, lesson.pick([14, 53, 105, 209]));
     let points: Vec<(f64, f64)> = steps.iter().map(|h| (*h, error(*h))).collect();
     let ours = 4.8e-6 * torus.detail();
-    let chart = Chart::new(Axis::log("step h of the difference, m"), Axis::log("error of the normal, rad (worst)"))
-        .title(&format!("Between truncation and rounding a central difference keeps {:.0} digits", -error(ours).log10()))
-        .subtitle("torus (0.8, 0.25) m; (f(p + h) − f(p − h))/2h along each axis; truth: the normal's formula")
-        .function(Method::default_of("central difference").styled(0), &points)
-        .guide(Guide::upright(ours, "h = ∛u · detail"))
-        .guide(Guide::slope_through(2.0, 1.0e-2, 0.5 * (1.0e-2f64 / 0.25).powi(2), "h²"))
-        .guide(Guide::slope_through(-1.0, 1.0e-12, f64::EPSILON / 1.0e-12, "u/h"));
+    let chart =
+        Chart::new(Axis::log("step h of the difference, m"), Axis::log("error of the normal, rad (worst)"))
+            .title(&format!(
+                "Between truncation and rounding a central difference keeps {:.0} digits",
+                -error(ours).log10()
+            ))
+            .subtitle(
+                "torus (0.8, 0.25) m; (f(p + h) − f(p − h))/2h along each axis; truth: the normal's formula",
+            )
+            .function(Method::default_of("central difference").styled(0), &points)
+            .guide(Guide::upright(ours, "h = ∛u · detail"))
+            .guide(Guide::slope_through(2.0, 1.0e-2, 0.5 * (1.0e-2f64 / 0.25).powi(2), "h²"))
+            .guide(Guide::slope_through(-1.0, 1.0e-12, f64::EPSILON / 1.0e-12, "u/h"));
     Figure::from(chart).caption(
         "Normals by the gradient of the field: long steps see the curvature, short ones the rounding of the field's values.",
     )

@@ -1,12 +1,13 @@
 //! The sponge: walked through its grid, or marched through its field.
 
-use super::{Contest, is_wrong};
+use super::Contest;
+use super::contestant::is_wrong;
 use glam::{DVec3, dvec3};
 use lightbench::integrator::Local;
 use lightbench::kit::figure::{Axis, Chart, Figure, grouped};
 use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::light::{AreaLight, Falloff, Light, Placement, PointLight};
-use lightbench::measure::{Failures, Method, Point, Series, time_each};
+use lightbench::measure::{Failures, Method, Point, Series, Spread, time_each};
 use lightbench::ray::Ray;
 use lightbench::render::{Picture, render};
 use lightbench::sample::{Sampler, uniform_sphere};
@@ -28,10 +29,12 @@ impl Sponges {
     pub fn wrong(&self) -> u64 {
         self.failures().total()
     }
-    /// How much longer marching takes than walking at the greatest depth.
+    /// How many times as long marching takes as walking: the median over the depths.
     fn factor(&self) -> f64 {
-        let time = |k: usize| self.0[k].1.points.last().and_then(|p| p.time).map_or(f64::NAN, |t| t.mid);
-        time(1) / time(0)
+        let time = |p: &Point| p.time.map_or(f64::NAN, |t| t.mid);
+        let ratio = |(a, b): (&Point, &Point)| time(b) / time(a);
+        let ratios: Vec<f64> = self.0[0].1.points.iter().zip(&self.0[1].1.points).map(ratio).collect();
+        Spread::median(&ratios).map_or(f64::NAN, |s| s.mid)
     }
 }
 
@@ -53,10 +56,13 @@ pub fn contest(lesson: &Lesson) -> Sponges {
         let sponge = Menger::new(DVec3::ZERO, 2.0, depth).expect("a sponge");
         let shape = FieldShape::new(sponge).expect("a bounded field");
         let near = |s: &dyn Shape, r: &Ray| s.nearest(r, 0.0, f64::INFINITY).map(|c| c.t);
-        let time = |s: &dyn Shape| time_each(rays.len(), || rays.iter().filter(|r| near(s, r).is_some()).count());
+        let time =
+            |s: &dyn Shape| time_each(rays.len(), || rays.iter().filter(|r| near(s, r).is_some()).count());
         // Where a ray cuts an edge more finely than the tolerance, both are right: the field says how deep it dives.
         let shallow = |r: &Ray, t: Option<f64>| {
-            t.is_some_and(|t| sponge.distance(r.at(t + 2.0 * shape.march().tolerance)) > -64.0 * shape.march().tolerance)
+            t.is_some_and(|t| {
+                sponge.distance(r.at(t + 2.0 * shape.march().tolerance)) > -64.0 * shape.march().tolerance
+            })
         };
         let wrong = |r: &&Ray| {
             let (a, b) = (near(&sponge, r), near(&shape, r));
@@ -93,14 +99,14 @@ pub fn show(lesson: &Lesson, sponges: &Sponges) -> Result {
         "menger",
         &shot(on_the_floor()?),
         "A Menger sponge of depth 4 under a square lamp.",
-        "A sandy cube full of square holes of four sizes stands on a grey floor; soft light from the right falls through it.",
+        "A sandy cube full of square holes of four sizes stands on a grey floor; soft light from above falls through it.",
     )
 }
 
 fn chart(sponges: &Sponges) -> Figure {
     let mut chart = Chart::time_over(Axis::linear("depth of the sponge").every(1.0), "time per ray")
         .title(&format!(
-            "Walked through its grid, the sponge takes a {:.0}th of the time of marching",
+            "Marched through its field, the sponge takes {:.1} times as long as walked",
             sponges.factor()
         ))
         .subtitle("rays from all around, aimed anywhere into the cube; cells of 3⁻ⁿ of the edge");
@@ -124,19 +130,21 @@ fn paint(name: &str, diffuse: DVec3) -> Material {
 /// Inside, in the wide tunnel along z.
 fn journey() -> Result<Scene> {
     let (eye, target) = (dvec3(-0.12, -0.13, 0.95), dvec3(0.10, 0.03, -0.4));
-    let camera = Camera::new(eye, target, dvec3(0.12, 1.0, 0.0), FieldOfView::Vertical(1.12)).map_err(|e| wrong(&e))?;
+    let camera = Camera::new(eye, target, dvec3(0.12, 1.0, 0.0), FieldOfView::Vertical(1.12))
+        .map_err(|e| wrong(&e))?;
     let mut scene = Scene::new(camera);
     scene.materials = vec![paint("stone", dvec3(0.80, 0.72, 0.62))];
     let sponge = Menger::new(DVec3::ZERO, 2.0, 5).map_err(|e| wrong(&e))?;
     scene.objects.push(Object::new("sponge", Box::new(sponge), 0));
-    let lamp = |position, power| Light::Point(PointLight { position, power, falloff: Falloff::InverseSquare });
+    let lamp =
+        |position, power| Light::Point(PointLight { position, power, falloff: Falloff::InverseSquare });
     scene.lights = vec![
         lamp(dvec3(0.14, 0.16, 0.02), dvec3(1.0, 0.62, 0.28) * 0.75),
         lamp(dvec3(-0.2, 0.22, 1.0), dvec3(0.75, 0.85, 1.0) * 0.55),
         lamp(dvec3(0.0, 0.0, -1.6), dvec3(0.35, 0.55, 1.0) * 1.2),
     ];
     scene.background = dvec3(0.62, 0.76, 0.95);
-    scene.ambient = dvec3(0.055, 0.06, 0.075);
+    scene.ambient = dvec3(0.13, 0.135, 0.15);
     Ok(scene)
 }
 
@@ -150,7 +158,7 @@ fn on_the_floor() -> Result<Scene> {
     let sponge = Menger::new(DVec3::Y, 2.0, 4).map_err(|e| wrong(&e))?;
     scene.objects.push(Object::new("floor", Box::new(floor), 0));
     scene.objects.push(Object::new("sponge", Box::new(sponge), 1));
-    let place = dvec3(3.0, 6.0, 3.0);
+    let place = dvec3(2.4, 5.2, 4.8);
     let size = glam::DVec2::splat(2.0);
     let lamp = AreaLight::new(place, DVec3::Y * 0.8 - place, 0.0, size, dvec3(0.9, 0.87, 0.8), Falloff::None);
     scene.lights.push(Light::Area(lamp.map_err(|e| wrong(&e))?.subdivided(4, 4, Placement::Jittered)));

@@ -7,6 +7,7 @@ mod camera;
 mod colour;
 mod csg;
 mod julia;
+mod menger;
 mod sphere_box;
 mod surface;
 mod torus;
@@ -35,6 +36,7 @@ pub const TOPICS: &[Topic] = &[
     julia::JULIA_ESCAPE,
     julia::JULIA_DISTANCE,
     julia::JULIA_HIT,
+    menger::RAY_MENGER,
 ];
 
 /// A topic: one function of the library, or several methods for the same question.

@@ -18,7 +18,8 @@ impl Capsule {
     /// - Errors: ends that are not finite, a radius that is not positive and finite. Equal ends make a sphere.
     pub fn new(a: DVec3, b: DVec3, radius: f64) -> Result<Self, ShapeError> {
         let a = ShapeError::finite("end of a capsule", a)?;
-        let along = ShapeError::finite("length of a capsule", ShapeError::finite("end of a capsule", b)? - a)?;
+        let along =
+            ShapeError::finite("length of a capsule", ShapeError::finite("end of a capsule", b)? - a)?;
         Ok(Capsule { a, along, radius: ShapeError::positive("radius of a capsule", radius)? })
     }
 

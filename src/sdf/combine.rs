@@ -145,7 +145,11 @@ pub struct Offset<A>(A, f64);
 impl<A: DistanceField> Offset<A> {
     /// - Errors: a length that is not finite.
     pub fn new(field: A, by: f64) -> Result<Self, ShapeError> {
-        if by.is_finite() { Ok(Offset(field, by)) } else { Err(ShapeError::NotFinite { what: "offset", found: by }) }
+        if by.is_finite() {
+            Ok(Offset(field, by))
+        } else {
+            Err(ShapeError::NotFinite { what: "offset", found: by })
+        }
     }
 }
 

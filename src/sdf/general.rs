@@ -14,12 +14,7 @@ pub fn first(roots: impl IntoIterator<Item = f64>, condition: impl Fn(f64) -> bo
 
 /// Brackets between equally spaced places where the sign of `f` changes, in ascending order. A pair of roots between
 /// two places is missed.
-pub fn brackets(
-    f: impl Fn(f64) -> f64,
-    from: f64,
-    to: f64,
-    pieces: u32,
-) -> impl Iterator<Item = (f64, f64)> {
+pub fn brackets(f: impl Fn(f64) -> f64, from: f64, to: f64, pieces: u32) -> impl Iterator<Item = (f64, f64)> {
     let at = move |i: u32| from + (to - from) * (f64::from(i) / f64::from(pieces.max(1)));
     let mut last = f(from) < 0.0;
     (0..pieces).filter_map(move |i| {

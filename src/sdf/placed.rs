@@ -26,7 +26,11 @@ impl<A: DistanceField> Placed<A> {
         // A matrix of rounded unit columns turns back within six roundings of each entry.
         let off = turn * back - DMat3::IDENTITY;
         let far = off.to_cols_array().into_iter().any(|x| !(x.abs() <= gamma(16)));
-        if far { Err(ShapeError::Flat { what: "rotation" }) } else { Ok(Placed { field, turn, back, scale, shift }) }
+        if far {
+            Err(ShapeError::Flat { what: "rotation" })
+        } else {
+            Ok(Placed { field, turn, back, scale, shift })
+        }
     }
 }
 
@@ -46,7 +50,8 @@ impl<A: DistanceField> DistanceField for Placed<A> {
         }
         let (middle, half) = (b.center(), (b.max - b.min) * (0.5 + gamma(4)));
         let m = self.turn;
-        let reach = (m.x_axis.abs() * half.x + m.y_axis.abs() * half.y + m.z_axis.abs() * half.z) * self.scale;
+        let reach =
+            (m.x_axis.abs() * half.x + m.y_axis.abs() * half.y + m.z_axis.abs() * half.z) * self.scale;
         let middle = m * middle * self.scale + self.shift;
         let slack = gamma(16) * (reach.max_element() + self.scale() + level);
         Aabb::new(middle - reach - slack, middle + reach + slack)
@@ -60,7 +65,8 @@ impl<A: DistanceField> DistanceField for Placed<A> {
     /// The field's own, and eight roundings of the way to it.
     fn rounding(&self, p: DVec3) -> f64 {
         let q = (p - self.shift).abs().element_sum();
-        let way = gamma(8) * self.field.lipschitz() * (p.abs().element_sum() + self.shift.abs().element_sum());
+        let way =
+            gamma(8) * self.field.lipschitz() * (p.abs().element_sum() + self.shift.abs().element_sum());
         self.field.rounding(DVec3::splat(q / self.scale)) * self.scale + way
     }
     fn gradient(&self, p: DVec3) -> DVec3 {

@@ -68,7 +68,13 @@ impl<F: DistanceField> FieldShape<F> {
 /// The axis nearest to a direction, and the face that shows it.
 fn face_of(n: DVec3) -> u32 {
     let a = n.abs();
-    let axis = if a.x >= a.y && a.x >= a.z { 0 } else if a.y >= a.z { 1 } else { 2 };
+    let axis = if a.x >= a.y && a.x >= a.z {
+        0
+    } else if a.y >= a.z {
+        1
+    } else {
+        2
+    };
     2 * axis + u32::from(n[axis as usize] > 0.0)
 }
 

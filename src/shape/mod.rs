@@ -52,7 +52,9 @@ pub enum ShapeError {
     TooFewVertices { found: usize },
     #[error("menger: expected a depth of at most {allowed}, found {found}")]
     TooDeep { allowed: u32, found: u32 },
-    #[error("menger: expected cells of at least {least} m, which rounding can tell apart there, found {found} m")]
+    #[error(
+        "menger: expected cells of at least {least} m, which rounding can tell apart there, found {found} m"
+    )]
     TooFine { least: f64, found: f64 },
     #[error("polygon: expected vertices within {allowed} of one plane, found one at {found}")]
     NotFlat { allowed: f64, found: f64 },

@@ -79,7 +79,11 @@ pub const SYLLABUS: &[Entry] = &[
         question: "When may a ray leap, how far, and what does it miss?",
         chapter: "Surfaces",
         introduces: &["sdf", "shape::cylinder", "shape::cone"],
-        builds_on: &[(2, "a ray meets a sphere"), (5, "a surface of degree four"), (6, "cylinders and cones")],
+        builds_on: &[
+            (2, "a ray meets a sphere"),
+            (5, "a surface of degree four"),
+            (6, "cylinders and cones"),
+        ],
     },
     Entry {
         number: 10,

@@ -1,8 +1,8 @@
 //! The blocks that describe objects.
 
 use super::{ANY, ONES, SOURCE, ZERO, integer, length, number, point, triple};
-use crate::sdf::Menger;
 use crate::scene_file::format::{Default, Domain, Kind, Names, Origin, Param, Role, Rule, State};
+use crate::sdf::Menger;
 
 pub(super) const MATERIAL: Param = Param::new(
     "Material",
