@@ -13,6 +13,7 @@ mod film;
 mod film_files;
 mod flat;
 mod frame;
+mod julia;
 mod lessons;
 mod local;
 mod measure;

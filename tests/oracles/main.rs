@@ -4,6 +4,7 @@
 mod support;
 
 mod film;
+mod julia;
 mod pinhole;
 mod sample;
 mod sphere;

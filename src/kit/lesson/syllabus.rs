@@ -86,6 +86,19 @@ pub const SYLLABUS: &[Entry] = &[
         ],
     },
     Entry {
+        number: 9,
+        name: "julia",
+        question: "How far may a ray leap towards a fractal before it leaps too far?",
+        chapter: "Surfaces",
+        introduces: &["sdf"],
+        builds_on: &[
+            (2, "a ray meets a sphere"),
+            (5, "certified signs; missed and false hits"),
+            (8, "rays that march"),
+        ],
+    },
+    },
+    Entry {
         number: 10,
         name: "csg",
         question: "How do spans along a ray make solids out of solids, and when do the documents' rules break?",
