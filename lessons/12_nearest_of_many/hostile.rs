@@ -150,7 +150,7 @@ pub fn table(slabs: &[Hostile]) -> Figure {
 
 /// Share of hits that a slab test loses, over the distance of the origin and that of the hit from the box's corner.
 pub fn map(seed: u64, side: usize) -> Figure {
-    const TRIES: u32 = 32;
+    const TRIES: u32 = 256;
     let mut ours = 0;
     let map = FailureMap::new(
         Axis::log("distance of the ray's origin, in sizes of the triangle").range(1.0, 1.0e16),

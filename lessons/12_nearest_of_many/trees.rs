@@ -152,8 +152,8 @@ pub fn flattened() -> Figure {
         }
     }
     for at in 0..cubes.len() {
-        d = node(d, tree(at), 0.22, Some(light(at)));
-        d = d.note(tree(at) + dvec2(0.0, 0.48), &at.to_string());
+        d = node(d, tree(at), 0.36, Some(light(at)));
+        d = d.note(tree(at), &at.to_string());
         d = node(d, list(at), half, Some(light(at)));
         d = d.note(list(at), &at.to_string());
     }
