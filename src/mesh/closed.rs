@@ -50,6 +50,10 @@ impl Shape for ClosedMesh {
         self.0.blocks(ray, t_max)
     }
 
+    fn parts(&self) -> u32 {
+        self.0.parts()
+    }
+
     fn is_costly(&self) -> bool {
         self.0.is_costly()
     }

@@ -274,6 +274,10 @@ impl Shape for Mesh {
         self.bvh.any(ray, 0.0, t_max, &mut Silent, blocks).is_some()
     }
 
+    fn parts(&self) -> u32 {
+        self.triangles.parts.iter().max().map_or(1, |part| part + 1)
+    }
+
     /// The hierarchy looks at its own bounds first.
     fn is_costly(&self) -> bool {
         false

@@ -190,7 +190,8 @@ pub fn bumpy_knot(columns: u32, rows: u32) -> Polygons {
         let out = (out - ahead * out.dot(ahead)).normalize_or(DVec3::Z);
         let side = ahead.cross(out);
         let radius = 0.36 * (1.0 + 0.14 * (60.0 * s).sin() * (5.0 * phi).cos());
-        let n = out * phi.cos() + side * phi.sin();
+        // Along the curve, then this way round, is counter-clockwise from outside.
+        let n = out * phi.cos() - side * phi.sin();
         (curve(s) + n * radius, n)
     });
     mesh.normals = Attribute { values: Vec::new(), corners: vec![NONE; mesh.corner_count()] };

@@ -1,7 +1,8 @@
 //! From polygons to triangles.
 //!
 //! The outline is looked at along the axis its normal is nearest to, so that corners keep their coordinates to the bit
-//! and every turn has an exact sign. Convex outlines become fans; others lose one ear after the other (Meisters 1975).
+//! and every turn has an exact sign. Convex outlines are halved again and again; others lose one ear after the other
+//! (Meisters 1975).
 
 use super::Polygons;
 use crate::num::U;
@@ -38,7 +39,7 @@ pub fn triangulate(outline: &[DVec3], out: &mut Vec<[u32; 3]>) -> Outline {
     }
     let flat = projected(outline);
     if is_strictly_convex(&flat) {
-        fan(n, out);
+        halve(0, n as u32 - 1, out);
         return Outline::Simple;
     }
     if n > MOST_CONCAVE {
@@ -47,8 +48,16 @@ pub fn triangulate(outline: &[DVec3], out: &mut Vec<[u32; 3]>) -> Outline {
     Ears::new(&flat).clip(out)
 }
 
-fn fan(n: usize, out: &mut Vec<[u32; 3]>) {
-    out.extend((1..n as u32 - 1).map(|i| [0, i, i + 1]));
+/// The triangles of a convex outline between two of its corners: one with the corner half way, and those of both sides.
+///
+/// No line meets more than `2 log₂ n` of them. A fan from one corner is made of needles, all of which lie along each other.
+fn halve(from: u32, to: u32, out: &mut Vec<[u32; 3]>) {
+    if to - from >= 2 {
+        let middle = (from + to).div_ceil(2);
+        out.push([from, middle, to]);
+        halve(from, middle, out);
+        halve(middle, to, out);
+    }
 }
 
 /// The outline along the axis its normal is nearest to, turning counter-clockwise.

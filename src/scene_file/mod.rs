@@ -13,6 +13,7 @@ pub mod csg;
 mod declared;
 mod diagnostic;
 mod format;
+pub mod obj;
 mod parse;
 mod pending;
 mod reference;

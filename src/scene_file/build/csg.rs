@@ -1,14 +1,17 @@
 //! From blocks to solids made of solids.
 
+use super::mesh;
 use super::objects::{contradiction, lacks_numbers, solid};
 use super::transformation::transformation;
-use crate::csg::{Csg, MOST_DEPTH, Tree};
+use crate::csg::{Csg, Tree};
+use crate::mesh::ClosedMesh;
 use crate::scene::Object;
-use crate::scene_file::csg::{self, operation};
+use crate::scene_file::csg::{self, MOST_DEEP, operation};
 use crate::scene_file::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::scene_file::format::{Role, State};
 use crate::scene_file::parse::Block;
 use crate::scene_file::source::ReadError;
+use crate::shape::Shape;
 use glam::DAffine3;
 use std::collections::HashMap;
 use std::path::Path;
@@ -126,15 +129,19 @@ impl Workshop<'_> {
         }
         let wrong = |message: String| Diagnostic::error(block.keyword.clone(), message);
         let name = block.rule.name;
-        if from.depth > MOST_DEPTH {
+        if from.depth > MOST_DEEP {
             let d = wrong(format!("`{name}` stands too deep"));
-            log.push(d.expected(format!("at most {MOST_DEPTH} operations inside one another")));
+            log.push(d.expected(format!("at most {MOST_DEEP} operations inside one another")));
             return None;
         }
         let material = self.material(block, from.material, place, log);
         let from = From { material, depth: from.depth + 1, ..from };
         if block.rule.role != Role::Operation {
-            return if name == "CSG" { self.whole(block, from, log) } else { leaf(block, from, log) };
+            return match name {
+                "CSG" => self.whole(block, from, log),
+                "Mesh" => self.mesh(block, from, log),
+                _ => leaf(block, from, log),
+            };
         }
         if let Some(entry) =
             block.entries.iter().find(|e| e.param.name.ends_with("Type") && place == Where::Scene)
@@ -157,6 +164,24 @@ impl Workshop<'_> {
         let (trees, materials): (Vec<Tree>, Vec<Vec<usize>>) =
             all.into_iter().map(|m| (m.tree, m.materials)).unzip();
         Some(Made { tree: Tree::all(operation(block)?, trees)?, materials: materials.concat() })
+    }
+
+    /// A closed mesh; all its faces have the material at hand.
+    fn mesh(&mut self, block: &Block, from: From, log: &mut Vec<Diagnostic>) -> Option<Made> {
+        let file = mesh::read(block, self.folder, &mut self.files, log)?;
+        match ClosedMesh::new(mesh::made(block, &file.polygons, from.map, log)?) {
+            Ok(solid) => {
+                let materials = vec![from.material; solid.parts() as usize];
+                Some(Made { tree: Tree::Leaf(Box::new(solid)), materials })
+            }
+            Err(open) => {
+                let edges = open.topology().unbalanced_edges;
+                let d =
+                    Diagnostic::error(block.span("Source"), "the mesh encloses nothing: it is not closed");
+                log.push(d.expected("two faces at every edge").found(format!("{edges} edges without")));
+                None
+            }
+        }
     }
 
     /// The material of a block's own, if it names one that the scene declares.

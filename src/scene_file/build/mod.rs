@@ -1,6 +1,7 @@
 //! From blocks to a scene: the only place that knows what becomes of each block.
 
 mod csg;
+mod mesh;
 mod objects;
 mod transformation;
 
@@ -41,7 +42,7 @@ fn scene(
     let settings = settings_block.map_or(Settings::default(), |b| settings(b, log));
     let camera = camera_block.and_then(|b| camera(b, log));
     let materials: Vec<_> = of(blocks, Role::is_material).map(|b| (b, material(b))).collect();
-    let objects = objects::objects(blocks, folder, &materials, log, files);
+    let (objects, found) = objects::objects(blocks, folder, &materials, log, files);
     let lights: Vec<_> = of(blocks, |r| r == Role::Light).filter_map(|b| light(b, log)).collect();
     missing(source, parsed, log);
     let mut scene = Scene::new(camera?);
@@ -51,7 +52,7 @@ fn scene(
     }
     let remark = log.iter().all(|d| d.severity != Severity::Error); // what is wrong comes first
     log.extend(pending::note(&settings, settings_block, &materials).filter(|_| remark));
-    scene.materials = materials.into_iter().map(|(_, m)| m).collect();
+    scene.materials = materials.into_iter().map(|(_, m)| m).chain(found).collect();
     scene.objects = objects.into();
     scene.lights = lights;
     log.extend(darkness(&scene, blocks).filter(|_| remark));

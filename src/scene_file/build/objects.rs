@@ -1,14 +1,16 @@
 //! From blocks to objects.
 
 use super::csg::Workshop;
+use super::mesh::Meshes;
 use super::transformation::{Made, MadeSolid, Put, cube, ellipsoid, instance, placed, transformation};
-use super::{later, of, point};
+use super::{later, natural, of, point};
 use crate::bounds::Aabb;
 use crate::frame::basis;
 use crate::scene::{Material, Object};
 use crate::scene_file::diagnostic::{Diagnostic, Diagnostics};
 use crate::scene_file::format::{Default, Kind, Param, Role, State};
 use crate::scene_file::parse::Block;
+use crate::sdf::Menger;
 use crate::shape::cone::Cone;
 use crate::shape::cylinder::Cylinder;
 use crate::shape::disc::Disc;
@@ -21,27 +23,31 @@ use glam::{DAffine3, DMat3, DVec3};
 use std::collections::HashMap;
 use std::path::Path;
 
-/// The objects of a file; what is wrong with them is added to the log, and what is to be said about files of `folder`, to
-/// the files.
+/// The objects of a file, and materials that belong to them alone, to stand behind those of the file; what is wrong with them is
+/// added to the log, and what is to be said about files of `folder`, to the files.
 pub fn objects(
     blocks: &[Block],
     folder: &Path,
     materials: &[(&Block, Material)],
     log: &mut Vec<Diagnostic>,
     files: &mut Vec<Diagnostics>,
-) -> Vec<Object> {
+) -> (Vec<Object>, Vec<Material>) {
     let index: HashMap<&str, usize> =
         materials.iter().enumerate().rev().map(|(i, (_, m))| (m.name.as_str(), i)).collect();
     let mut workshop = Workshop { materials: &index, folder, files: Vec::new() };
+    let first = materials.len();
+    let mut meshes = Meshes { materials: &index, folder, found: Vec::new(), first, files: Vec::new() };
     let mut objects = Vec::new();
     for block in of(blocks, |r| r == Role::Object) {
         match block.rule.name {
             "CSG" => objects.extend(workshop.object(block, log)),
+            "Mesh" => objects.extend(meshes.object(block, log)),
             _ => objects.extend(object(block, &index, log)),
         }
     }
     files.append(&mut workshop.files);
-    objects
+    files.append(&mut meshes.files);
+    (objects, meshes.found)
 }
 
 /// The object of a block that describes one shape.
@@ -153,6 +159,10 @@ pub fn solid(block: &Block, map: DAffine3) -> Option<MadeSolid> {
         "Plane" => plane(block, map).map(Put::solid),
         "Quadric" if clip_box(block) == Aabb::EVERYTHING => {
             quadric(block).and_then(|quadric| instance(quadric, map)).map(Put::solid)
+        }
+        "Menger" => {
+            let [depth] = block.integers("Depth").map(natural);
+            placed(map, |by| Menger::new(vector("Center") + by, scalar("Edge"), depth)).map(Put::solid)
         }
         _ => return None,
     };

@@ -28,6 +28,9 @@ use std::path::Path;
 /// Most solids of a tree, a node that is named twice counted twice.
 pub const MOST_SOLIDS: usize = 65_536;
 
+/// Most operations inside one another.
+pub const MOST_DEEP: usize = 512;
+
 /// A file's nodes and who holds whom; also of files that are wrong, as far as they can be read.
 #[derive(Debug)]
 pub struct CsgFile {
@@ -60,7 +63,7 @@ pub fn read(source: &str, name: &str) -> CsgFile {
 ///
 /// - Errors: a file that cannot be read at all; one that is wrong comes with its remarks.
 pub fn read_file(path: &Path) -> Result<CsgFile, ReadError> {
-    Ok(read(&source::text(path)?, &path.display().to_string()))
+    Ok(read(&source::text(path, source::LARGEST_FILE)?, &path.display().to_string()))
 }
 
 /// A block that has no place in such a file.

@@ -30,12 +30,23 @@ const LISTS: [(&str, &str); 3] = [("v", "point"), ("vt", "texture coordinate"), 
 
 /// Words of the format that change no polygon.
 const QUIET: &[&str] = &[
-    "o", "g", "s", "mg", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "maplib", "usemap",
+    "o",
+    "g",
+    "s",
+    "mg",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "shadow_obj",
+    "trace_obj",
+    "maplib",
+    "usemap",
 ];
 /// Words for things that are not polygons; their data.
 const OTHER: &[&str] = &[
-    "l", "p", "vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp",
-    "end", "con", "ctech", "stech", "call", "csh",
+    "l", "p", "vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
+    "sp", "end", "con", "ctech", "stech", "call", "csh",
 ];
 
 struct Reader<'a> {
@@ -90,9 +101,12 @@ impl<'a> Reader<'a> {
             "f" | "fo" => self.face(line),
             "usemtl" => self.use_material(line),
             "mtllib" => self.library(line, library),
-            "s" if self.totals[2] == 0 => {
-                self.once(line, Severity::Note, "smoothing groups are not read: normals follow the crease angle", "")
-            }
+            "s" if self.totals[2] == 0 => self.once(
+                line,
+                Severity::Note,
+                "smoothing groups are not read: normals follow the crease angle",
+                "",
+            ),
             word if QUIET.contains(&word) => Ok(()),
             word if OTHER.contains(&word) => {
                 let message = format!("`{word}` is left out: only polygons are read");
@@ -100,7 +114,12 @@ impl<'a> Reader<'a> {
             }
             word => {
                 let message = format!("{} is no word of the format; the line is skipped", quoted(word));
-                self.once(line, Severity::Warning, &message, "`v`, `vt`, `vn`, `f`, `g`, `o`, `s`, `usemtl`, `mtllib`")
+                self.once(
+                    line,
+                    Severity::Warning,
+                    &message,
+                    "`v`, `vt`, `vn`, `f`, `g`, `o`, `s`, `usemtl`, `mtllib`",
+                )
             }
         }
     }
@@ -118,7 +137,9 @@ impl<'a> Reader<'a> {
         self.above[0] += 1;
         let n = line.words.len();
         if !matches!(n, 3 | 4 | 6 | 7) {
-            return Err(Box::new(line.miscounted("3 coordinates (and after them a weight, or 3 colours)", 7)));
+            return Err(Box::new(
+                line.miscounted("3 coordinates (and after them a weight, or 3 colours)", 7),
+            ));
         }
         let mut p = [0.0; 4];
         for (i, word) in line.words.iter().enumerate() {
@@ -132,7 +153,8 @@ impl<'a> Reader<'a> {
         }
         let weight = if matches!(n, 4 | 7) { p[3] } else { 1.0 };
         if weight == 0.0 {
-            let d = Diagnostic::error(line.words[3].span(), "the weight of a point is 0: it lies at infinity");
+            let d =
+                Diagnostic::error(line.words[3].span(), "the weight of a point is 0: it lies at infinity");
             return Err(Box::new(d.expected("a number other than 0").found(quoted(line.words[3].text))));
         }
         let [x, y, z] = [p[0], p[1], p[2]].map(|x| x / weight);
@@ -177,7 +199,11 @@ impl<'a> Reader<'a> {
             *x = number(word, "as a coordinate")?;
         }
         if n == [0.0; 3] {
-            self.once_about("normals", line, "a normal is 0: corners that use it count as corners without a normal")?;
+            self.once_about(
+                "normals",
+                line,
+                "a normal is 0: corners that use it count as corners without a normal",
+            )?;
         }
         let _ = writeln!(self.out.plain, "vn {} {} {}", n[0], n[1], n[2]);
         Ok(())
@@ -220,7 +246,9 @@ impl<'a> Reader<'a> {
             at = place.end + 1;
             if list == 3 {
                 let d = wrong(format!("{} has too many parts", quoted(word.text)));
-                return Err(Box::new(d.expected("`v`, `v/vt`, `v//vn` or `v/vt/vn`").found(quoted(word.text))));
+                return Err(Box::new(
+                    d.expected("`v`, `v/vt`, `v//vn` or `v/vt/vn`").found(quoted(word.text)),
+                ));
             }
             if !text.is_empty() {
                 indices[list] = Some(self.index(text, place, list)?);
@@ -284,7 +312,8 @@ impl<'a> Reader<'a> {
     }
 
     fn open(&mut self, name: &str, span: Span, found: Library) {
-        let missing = |why: String| Diagnostic::note(span, why).help("faces count as faces without a material");
+        let missing =
+            |why: String| Diagnostic::note(span, why).help("faces count as faces without a material");
         match found {
             None => self.out.log.push(missing(format!("there is no material library {}", quoted(name)))),
             Some(Err(error)) => self.out.log.push(missing(error.to_string())),

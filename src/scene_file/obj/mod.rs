@@ -60,7 +60,8 @@ pub fn read_file(path: &Path) -> Result<ObjFile, ReadError> {
     let text = source::text(path, LARGEST_MESH)?;
     Ok(read(&text, &path.display().to_string(), &|library| {
         let path = folder.join(library);
-        path.is_file().then(|| source::text(&path, LARGEST_MESH).map(|text| (path.display().to_string(), text)))
+        path.is_file()
+            .then(|| source::text(&path, LARGEST_MESH).map(|text| (path.display().to_string(), text)))
     }))
 }
 
@@ -123,7 +124,8 @@ struct Face {
 
 /// Appends the faces of one of `tobj`'s meshes. Where a corner has no index, `tobj` makes one up: `faces` know better.
 fn append<'a>(out: &mut Polygons, mesh: &tobj::Mesh, faces: &mut impl Iterator<Item = &'a Face>) {
-    let triples = |list: &[f64]| list.chunks_exact(3).map(|c| DVec3::new(c[0], c[1], c[2])).collect::<Vec<_>>();
+    let triples =
+        |list: &[f64]| list.chunks_exact(3).map(|c| DVec3::new(c[0], c[1], c[2])).collect::<Vec<_>>();
     let first = [out.points.len(), out.uvs.values.len(), out.normals.values.len()].map(|n| n as u32);
     out.points.extend(triples(&mesh.positions));
     out.uvs.values.extend(mesh.texcoords.chunks_exact(2).map(|c| DVec2::new(c[0], c[1])));
@@ -137,7 +139,8 @@ fn append<'a>(out: &mut Polygons, mesh: &tobj::Mesh, faces: &mut impl Iterator<I
         corners.clear();
         for c in at..at + count as usize {
             let uv = mesh.texcoord_indices.get(c).filter(|_| face.uvs).map_or(NONE, |i| i + first[1]);
-            let normal = mesh.normal_indices.get(c).filter(|i| face.normals && normals[**i as usize].is_some());
+            let normal =
+                mesh.normal_indices.get(c).filter(|i| face.normals && normals[**i as usize].is_some());
             let normal = normal.map_or(NONE, |i| i + first[2]);
             corners.push(Corner { point: mesh.indices[c] + first[0], uv, normal });
         }
@@ -155,7 +158,8 @@ fn inspect(polygons: &Polygons, faces: &[Face], log: &mut Vec<Diagnostic>) {
         triangles.clear();
         match triangulate(&outline, &mut triangles) {
             Outline::TooLong => {
-                let d = Diagnostic::error(face.span.clone(), "a face that is not convex has too many corners");
+                let d =
+                    Diagnostic::error(face.span.clone(), "a face that is not convex has too many corners");
                 let expected = format!("at most {MOST_CONCAVE} corners");
                 log.push(d.expected(expected).found(outline.len().to_string()));
             }
@@ -182,14 +186,19 @@ fn inspect(polygons: &Polygons, faces: &[Face], log: &mut Vec<Diagnostic>) {
     };
     note(&flat, "a face has no area", "faces have no area, the first of them here", "they are left out");
     let help = "they are cut into triangles as far as that goes";
-    note(&crossed, "the outline of a face crosses itself", "outlines of faces cross themselves, first here", help);
+    note(
+        &crossed,
+        "the outline of a face crosses itself",
+        "outlines of faces cross themselves, first here",
+        help,
+    );
     let help = "they are cut into triangles as they look along the axis nearest to their normal";
     note(&bent, "a face is not flat", "faces are not flat, the first of them here", help);
 }
 
-/// How far corners may lie off their plane, per size of a face, before it is worth a word. Tuned: files print 6 digits, which
-/// leaves 10⁻⁶; quadrilaterals of curved surfaces bend by 10⁻³ and more.
-const FLATNESS: f64 = 1e-4;
+/// How far corners may lie off their plane, per size of a face, before it is worth a word. Tuned: quadrilaterals of coarse
+/// curved surfaces bend by a few hundredths; a corner of a square that is bent by a right angle lies half its size off.
+const FLATNESS: f64 = 0.1;
 
 fn is_bent(polygons: &Polygons, face: usize) -> bool {
     let outline: Vec<DVec3> = polygons.outline(face).collect();

@@ -86,7 +86,12 @@ pub fn read(text: &str, name: &str) -> (Vec<MtlMaterial>, Diagnostics) {
 type Remark = Option<Box<Diagnostic>>;
 
 /// Checks a line, and writes it down in plain words if it counts.
-fn check(line: &Line, text: &str, declared: &mut bool, plain: &mut String) -> Result<Remark, Box<Diagnostic>> {
+fn check(
+    line: &Line,
+    text: &str,
+    declared: &mut bool,
+    plain: &mut String,
+) -> Result<Remark, Box<Diagnostic>> {
     let word = line.keyword.text;
     if word == "newmtl" {
         let Some((name, _)) = line.name(text) else {
@@ -99,7 +104,10 @@ fn check(line: &Line, text: &str, declared: &mut bool, plain: &mut String) -> Re
     }
     let Some((_, takes)) = NUMBERS.iter().find(|(known, _)| *known == word) else {
         let is_texture = word.starts_with("map_") || matches!(word, "bump" | "disp" | "decal" | "refl");
-        let d = Diagnostic::note(line.span(), format!("`{word}` is not read: textures of libraries have no effect"));
+        let d = Diagnostic::note(
+            line.span(),
+            format!("`{word}` is not read: textures of libraries have no effect"),
+        );
         return Ok(is_texture.then(|| Box::new(d)));
     };
     if !*declared {
@@ -142,7 +150,11 @@ fn values(line: &Line, takes: Takes) -> Result<Vec<f64>, Box<Diagnostic>> {
         let x = number(w, "as a share, colour or exponent")?;
         if !(low..=high).contains(&x) {
             let d = Diagnostic::error(w.span(), format!("`{word}` is out of range"));
-            let range = if high == f64::MAX { format!("a number ≥ {low}") } else { format!("a number in [{low}, {high}]") };
+            let range = if high == f64::MAX {
+                format!("a number ≥ {low}")
+            } else {
+                format!("a number in [{low}, {high}]")
+            };
             return Err(Box::new(d.expected(range).found(quoted(w.text))));
         }
         values.push(x);

@@ -39,6 +39,7 @@ fn tessellations_are_closed_and_have_their_euler_characteristic() {
         assert!(t.is_closed(), "{name}: {t:?}");
         assert_eq!(t.genus(), Some(genus), "{name}: {t:?}");
         assert_eq!(t.euler(), 2 - 2 * genus, "{name}");
+        assert!(mesh.volume() > 0.0, "{name} is inside out");
         assert_eq!((t.boundary_edges, t.branching_edges, t.components), (0, 0, 1), "{name}");
     }
 }
