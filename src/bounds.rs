@@ -72,7 +72,11 @@ impl Aabb {
             if far < t1 {
                 t1 = far;
             }
+            // Most boxes are missed by their first slab or two.
+            if !(t0 <= t1) {
+                return None;
+            }
         }
-        (t0 <= t1).then_some((t0, t1))
+        Some((t0, t1))
     }
 }

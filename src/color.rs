@@ -42,7 +42,7 @@ pub fn srgb_encode(linear: f64) -> f64 {
 /// ```
 ///
 /// It undoes [`srgb_encode`] up to rounding, except on the gap of the published constants
-/// (0.0031308 < l < 0.003130805), where 2.3e-9 remain.
+/// (0.0031308 < l < 0.0031308073), where up to 2.4e-9 remain.
 ///
 /// - Domain: all numbers. Negative values stay on the straight piece; above 1 the power goes on,
 ///   and overflows to infinity beyond 1e128.

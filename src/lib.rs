@@ -12,7 +12,7 @@
 //! | 1 | [`ray`], [`frame`], [`bounds`] | rays, hits, the trace hook; rotations and bases; boxes and spheres |
 //! | 2 | [`sample`], [`film`], [`measure`] | random numbers and warps; images and their metrics; cost and error of methods |
 //! | 3 | [`shape`], [`accel`] | one file per surface: where a ray meets it, and its solid's spans; the nearest of many things with bounds |
-//! | 4 | [`csg`], [`light`], [`mesh`] | solids made of solids by root diagrams; emission and its fall-off; polygons, half-edges, triangles in a hierarchy of boxes |
+//! | 4 | [`csg`], [`light`], [`mesh`], [`sdf`] | solids made of solids by root diagrams; emission and its fall-off; polygons, half-edges, triangles in a hierarchy of boxes; distance fields, marching, the Menger sponge, Julia sets |
 //! | 5 | [`scene`] | camera, objects, materials |
 //! | 6 | [`scene_file`] | readers of the documents' formats |
 //! | 8 | [`integrator`] | each turns a ray into radiance |
@@ -41,4 +41,5 @@ pub mod render;
 pub mod sample;
 pub mod scene;
 pub mod scene_file;
+pub mod sdf;
 pub mod shape;

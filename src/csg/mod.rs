@@ -26,9 +26,9 @@ use crate::shape::{Shape, Solid};
 use glam::{DVec2, DVec3};
 use walk::walk;
 
-/// Most operations inside one another, after chains of one operation have been balanced: each is a few hundred bytes of
-/// a thread's stack while a ray is on its way.
-pub const MOST_DEPTH: usize = 1024;
+/// Most operations inside one another, chains of one operation counted once: each is a few hundred bytes of a thread's
+/// stack while a ray is on its way.
+pub const MOST_DEPTH: usize = 256;
 
 /// Why no solid came out of a tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -73,6 +73,8 @@ enum What {
 #[derive(Clone, Copy, Debug)]
 struct Node {
     bounds: Aabb,
+    /// Is a look at the bounds worth it?
+    guarded: bool,
     what: What,
 }
 
@@ -176,7 +178,7 @@ impl Solid for Csg {
     /// By the leaves' own word; a point on a surface that is taken away counts as outside.
     fn contains(&self, p: DVec3) -> bool {
         fn side(csg: &Csg, node: usize, p: DVec3) -> Side {
-            let Node { bounds, what } = csg.nodes[node];
+            let Node { bounds, what, .. } = csg.nodes[node];
             match what {
                 _ if !bounds.contains(p) => Side::Out,
                 What::Leaf(leaf) if csg.leaves[leaf as usize].solid.contains(p) => Side::In,

@@ -17,7 +17,7 @@
 //! where a shape vouches for the error of its points, and every shape finds `t` to within 64 roundings of the ray's reach,
 //! measured along the normal.
 
-use super::{Csg, Operation, Side, What};
+use super::{Csg, Node, Operation, Side, What};
 use crate::num::gamma;
 use crate::ray::{Crossing, Ray, Span};
 use glam::DVec3;
@@ -43,36 +43,51 @@ thread_local! {
 }
 
 /// What a node knows of its next boundary.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Ahead {
-    NotBefore(f64),
-    At(Crossing),
+    /// There is none before `State::next`.
+    NotBefore,
+    /// It is `State::next`.
+    At,
+    /// There is none: `State::next` is infinite.
     Never,
-}
-
-impl Ahead {
-    #[inline]
-    fn time(&self) -> f64 {
-        match self {
-            Ahead::NotBefore(t) => *t,
-            Ahead::At(c) => c.t,
-            Ahead::Never => f64::INFINITY,
-        }
-    }
 }
 
 /// A node on the way along the ray.
 #[derive(Clone, Copy, Debug)]
 struct State {
     walk: u64,
-    /// Where the ray is, up to the next boundary.
-    side: Side,
-    ahead: Ahead,
+    next: Crossing,
     /// Where the ray leaves the bounds.
     until: f64,
     /// Of a leaf: its next end among all ends of spans, and the one after its last.
-    next: u32,
     end: u32,
+    last: u32,
+    ahead: Ahead,
+    /// Where the ray is, up to the next boundary.
+    side: Side,
+}
+
+impl State {
+    const VOID: State = State {
+        walk: 0,
+        next: Crossing { t: f64::INFINITY, face: 0, part: 0 },
+        until: f64::NEG_INFINITY,
+        end: 0,
+        last: 0,
+        ahead: Ahead::Never,
+        side: Side::Out,
+    };
+
+    #[inline]
+    fn set(&mut self, ahead: Ahead, t: f64) {
+        (self.ahead, self.next.t) = (ahead, t);
+    }
+
+    #[inline]
+    fn set_never(&mut self) {
+        self.set(Ahead::Never, f64::INFINITY);
+    }
 }
 
 /// One ray on its way through one tree.
@@ -94,9 +109,7 @@ pub(super) fn walk<T>(csg: &Csg, ray: &Ray, t_min: f64, t_max: f64, look: impl F
     scratch.spans.clear();
     scratch.walks += 1;
     if scratch.states.len() < csg.nodes.len() {
-        let void =
-            State { walk: 0, side: Side::Out, ahead: Ahead::Never, until: f64::INFINITY, next: 0, end: 0 };
-        scratch.states.resize(csg.nodes.len(), void);
+        scratch.states.resize(csg.nodes.len(), State::VOID);
     }
     let reach = ray.origin.abs().max_element() / ray.direction.abs().max_element();
     let mut walk = Walk {
@@ -120,13 +133,13 @@ impl Walk<'_> {
     #[inline]
     pub(super) fn next(&mut self) -> Option<Crossing> {
         let root = self.csg.root();
-        match self.resolve(root) {
-            Ahead::At(crossing) => {
-                self.advance(root);
-                Some(crossing)
-            }
-            _ => None,
-        }
+        self.look(root);
+        self.resolve(root);
+        let State { ahead, next, .. } = self.scratch.states[root];
+        (ahead == Ahead::At).then(|| {
+            self.advance(root);
+            next
+        })
     }
 
     /// A distance [t] within which boundaries may be ties.
@@ -135,143 +148,148 @@ impl Walk<'_> {
         COARSE * (self.reach + t.abs())
     }
 
+    /// Makes sure that the node's state is of this walk.
     #[inline]
-    fn view(&mut self, node: usize) -> (Side, Ahead) {
-        let state = &self.scratch.states[node];
-        if state.walk == self.scratch.walks { (state.side, state.ahead) } else { self.open(node) }
-    }
-
-    /// The first look at a node is at its bounds.
-    fn open(&mut self, node: usize) -> (Side, Ahead) {
-        let bounds = &self.csg.nodes[node].bounds;
-        let (ahead, until) = match bounds.slab(self.ray.origin, self.inv_direction, self.low, self.high) {
-            Some((t0, t1)) => (Ahead::NotBefore(t0 - self.slack(t0)), t1 + self.slack(t1)),
-            None => (Ahead::Never, f64::NEG_INFINITY),
-        };
-        let walk = self.scratch.walks;
-        self.scratch.states[node] = State { walk, side: Side::Out, ahead, until, next: 0, end: 0 };
-        (Side::Out, ahead)
-    }
-
-    /// The node's next boundary, or that there is none.
-    fn resolve(&mut self, node: usize) -> Ahead {
-        let (_, ahead) = self.view(node);
-        if !matches!(ahead, Ahead::NotBefore(_)) {
-            return ahead;
+    fn look(&mut self, node: usize) {
+        if self.scratch.states[node].walk != self.scratch.walks {
+            self.open(node);
         }
-        let found = match self.csg.nodes[node].what {
+    }
+
+    /// The first look at a node is at its bounds, if they are worth it.
+    fn open(&mut self, node: usize) {
+        let mut state = State { walk: self.scratch.walks, ..State::VOID };
+        let Node { bounds, guarded, .. } = &self.csg.nodes[node];
+        if !*guarded {
+            state.until = f64::INFINITY;
+            state.set(Ahead::NotBefore, self.low);
+        } else if let Some((t0, t1)) = bounds.slab(self.ray.origin, self.inv_direction, self.low, self.high) {
+            state.until = t1 + self.slack(t1);
+            state.set(Ahead::NotBefore, t0 - self.slack(t0));
+        }
+        self.scratch.states[node] = state;
+    }
+
+    /// Finds the node's next boundary, or that there is none.
+    fn resolve(&mut self, node: usize) {
+        if self.scratch.states[node].ahead != Ahead::NotBefore {
+            return;
+        }
+        match self.csg.nodes[node].what {
             What::Leaf(leaf) => self.intersect(node, leaf),
-            What::Pair(operation, left, right) => self.merge(node, operation, left as usize, right as usize),
-        };
-        self.scratch.states[node].ahead = found;
-        found
+            What::Pair(operation, left, right) => {
+                self.merge(node, operation, left as usize, right as usize);
+            }
+        }
     }
 
     /// All ends of a leaf's spans from now on.
-    fn intersect(&mut self, node: usize, leaf: u32) -> Ahead {
+    fn intersect(&mut self, node: usize, leaf: u32) {
         let spans = &mut self.scratch.spans;
         let first = spans.len();
         self.csg.leaves[leaf as usize].solid.spans(self.ray, spans);
         let passed = spans[first..].iter().take_while(|span| span.leave.t < self.low).count();
         let state = &mut self.scratch.states[node];
-        (state.next, state.end) = (2 * (first + passed) as u32, 2 * spans.len() as u32);
-        self.end_of_span(node, leaf)
+        (state.end, state.last) = (2 * (first + passed) as u32, 2 * spans.len() as u32);
+        self.end_of_span(node, leaf);
     }
 
     /// A leaf's next boundary; the end of an endless span is none.
     #[inline]
-    fn end_of_span(&self, node: usize, leaf: u32) -> Ahead {
-        let State { next, end, .. } = self.scratch.states[node];
-        if next >= end {
-            return Ahead::Never;
+    fn end_of_span(&mut self, node: usize, leaf: u32) {
+        let state = &mut self.scratch.states[node];
+        if state.end >= state.last {
+            return state.set_never();
         }
-        let Span { enter, leave } = self.scratch.spans[next as usize / 2];
-        let mut crossing = if next % 2 == 0 { enter } else { leave };
+        let Span { enter, leave } = self.scratch.spans[state.end as usize / 2];
+        let crossing = if state.end.is_multiple_of(2) { enter } else { leave };
         if crossing.t == f64::INFINITY {
-            return Ahead::Never;
+            return state.set_never();
         }
-        crossing.part += self.csg.leaves[leaf as usize].first_part;
-        Ahead::At(crossing)
+        state.ahead = Ahead::At;
+        state.next = Crossing { part: crossing.part + self.csg.leaves[leaf as usize].first_part, ..crossing };
     }
 
     /// Goes behind the boundary that the node has found.
+    #[inline]
     fn advance(&mut self, node: usize) {
         let state = &mut self.scratch.states[node];
         state.side = state.side.other();
-        state.next += 1;
-        let t = state.ahead.time();
-        self.scratch.states[node].ahead = match self.csg.nodes[node].what {
-            What::Leaf(leaf) => self.end_of_span(node, leaf),
-            What::Pair(..) => Ahead::NotBefore(t),
-        };
+        match self.csg.nodes[node].what {
+            What::Leaf(leaf) => {
+                state.end += 1;
+                self.end_of_span(node, leaf);
+            }
+            What::Pair(..) => state.ahead = Ahead::NotBefore,
+        }
     }
 
-    /// The next place where the operands' sides combine to the other side.
-    fn merge(&mut self, node: usize, operation: Operation, left: usize, right: usize) -> Ahead {
+    /// Finds the next place where the operands' sides combine to the other side.
+    fn merge(&mut self, node: usize, operation: Operation, left: usize, right: usize) {
         let before = self.scratch.states[node].side;
+        self.look(left);
+        self.look(right);
         loop {
-            let ((l_side, l), (r_side, r)) = (self.view(left), self.view(right));
-            let decided = (operation.left_decides(l_side), operation.right_decides(r_side));
+            let (l, r) = (&self.scratch.states[left], &self.scratch.states[right]);
+            let decided = (operation.left_decides(l.side), operation.right_decides(r.side));
             // Nothing happens until the operand that decides changes; until both do, if both decide.
             let left_leads = match decided {
                 (true, false) => true,
                 (false, true) => false,
-                (true, true) => l.time() >= r.time(),
-                (false, false) => l.time() <= r.time(),
+                (true, true) => l.next.t >= r.next.t,
+                (false, false) => l.next.t <= r.next.t,
             };
             let (lead, other, ahead) = if left_leads { (left, right, l) } else { (right, left, r) };
-            let crossing = match ahead {
-                Ahead::Never => return Ahead::Never,
-                _ if ahead.time() > self.high => return Ahead::Never,
-                Ahead::NotBefore(_) => {
-                    self.resolve(lead);
-                    continue;
-                }
-                Ahead::At(crossing) => crossing,
-            };
-            if decided != (false, false) {
-                self.seek(other, &crossing);
+            let mark = ahead.next;
+            if ahead.ahead == Ahead::Never || mark.t > self.high {
+                return self.scratch.states[node].set_never();
             }
-            let tie = match self.view(other).1 {
-                Ahead::NotBefore(t) if !(t > crossing.t + self.slack(crossing.t)) => {
-                    self.resolve(other);
-                    continue;
-                }
-                Ahead::At(also) if self.tied(&crossing, &also) => Some(also),
-                _ => None,
-            };
+            if ahead.ahead == Ahead::NotBefore {
+                self.resolve(lead);
+                continue;
+            }
+            if decided != (false, false) {
+                self.seek(other, &mark);
+            }
+            let State { ahead, next: also, .. } = self.scratch.states[other];
+            if ahead == Ahead::NotBefore && !(also.t > mark.t + self.slack(mark.t)) {
+                self.resolve(other);
+                continue;
+            }
+            let tie = ahead == Ahead::At && self.tied(&mark, &also);
             self.advance(lead);
-            if tie.is_some() {
+            if tie {
                 self.advance(other);
             }
             let (l_side, r_side) = (self.scratch.states[left].side, self.scratch.states[right].side);
             if operation.combine(l_side, r_side) != before {
-                return Ahead::At(tie.map_or(crossing, |also| one_of(crossing, also)));
+                let state = &mut self.scratch.states[node];
+                state.ahead = Ahead::At;
+                state.next = if tie { one_of(mark, also) } else { mark };
+                return;
             }
         }
     }
 
     /// Goes over every boundary of the node that lies before `mark` and is no tie with it.
     fn seek(&mut self, node: usize, mark: &Crossing) {
+        let slack = self.slack(mark.t);
         loop {
-            let slack = self.slack(mark.t);
-            match self.view(node).1 {
+            let State { ahead, next, until, .. } = self.scratch.states[node];
+            match ahead {
                 Ahead::Never => return,
-                Ahead::At(found) if found.t < mark.t && !self.tied(&found, mark) => self.advance(node),
-                Ahead::At(_) => return,
-                Ahead::NotBefore(t) if t > mark.t + slack => return,
-                Ahead::NotBefore(_) if self.scratch.states[node].until < mark.t - slack => {
+                Ahead::At if next.t < mark.t && !self.tied(&next, mark) => self.advance(node),
+                Ahead::At => return,
+                Ahead::NotBefore if next.t > mark.t + slack => return,
+                Ahead::NotBefore if until < mark.t - slack => {
                     let state = &mut self.scratch.states[node];
-                    (state.side, state.ahead) = (Side::Out, Ahead::Never);
-                    return;
+                    state.side = Side::Out;
+                    return state.set_never();
                 }
-                Ahead::NotBefore(_) => match self.csg.nodes[node].what {
-                    What::Leaf(_) => {
-                        self.resolve(node);
-                    }
+                Ahead::NotBefore => match self.csg.nodes[node].what {
+                    What::Leaf(_) => self.resolve(node),
                     What::Pair(operation, left, right) => {
-                        self.seek_operands(node, operation, [left as usize, right as usize], mark);
-                        return;
+                        return self.seek_operands(node, operation, [left as usize, right as usize], mark);
                     }
                 },
             }
@@ -280,22 +298,22 @@ impl Walk<'_> {
 
     /// Brings the operands, as far as they matter, up to the mark.
     fn seek_operands(&mut self, node: usize, operation: Operation, of: [usize; 2], mark: &Crossing) {
+        self.look(of[0]);
+        self.look(of[1]);
         self.seek(of[0], mark);
-        let (l_side, l) = self.view(of[0]);
-        let (side, next) = if operation.left_decides(l_side) {
-            (operation.combine(l_side, Side::Out), l)
+        let l = self.scratch.states[of[0]];
+        let (side, next) = if operation.left_decides(l.side) {
+            (operation.combine(l.side, Side::Out), l)
         } else {
             self.seek(of[1], mark);
-            let (r_side, r) = self.view(of[1]);
-            let right_is_next = operation.right_decides(r_side) || r.time() < l.time();
-            (operation.combine(l_side, r_side), if right_is_next { r } else { l })
+            let r = self.scratch.states[of[1]];
+            let right_is_next = operation.right_decides(r.side) || r.next.t < l.next.t;
+            (operation.combine(l.side, r.side), if right_is_next { r } else { l })
         };
         let state = &mut self.scratch.states[node];
         state.side = side;
-        state.ahead = match next {
-            Ahead::Never => Ahead::Never,
-            next => Ahead::NotBefore(next.time()),
-        };
+        let ahead = if next.ahead == Ahead::Never { Ahead::Never } else { Ahead::NotBefore };
+        state.set(ahead, next.next.t);
     }
 
     /// Are the two boundaries one, for all that the surfaces' errors tell?

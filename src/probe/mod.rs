@@ -6,6 +6,8 @@
 mod camera;
 mod colour;
 mod csg;
+mod julia;
+mod menger;
 mod sphere_box;
 mod surface;
 mod torus;
@@ -31,6 +33,10 @@ pub const TOPICS: &[Topic] = &[
     torus::RAY_TORUS,
     torus::QUARTIC_ROOTS,
     csg::CSG,
+    julia::JULIA_ESCAPE,
+    julia::JULIA_DISTANCE,
+    julia::JULIA_HIT,
+    menger::RAY_MENGER,
 ];
 
 /// A topic: one function of the library, or several methods for the same question.

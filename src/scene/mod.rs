@@ -5,7 +5,7 @@ mod objects;
 pub mod pinhole;
 
 pub use camera::{
-    Camera, CameraError, FieldOfView, camera_from_screen, ndc_from_raster, obscura_from_camera,
+    Camera, CameraError, FieldOfView, View, camera_from_screen, ndc_from_raster, obscura_from_camera,
     screen_from_ndc,
 };
 

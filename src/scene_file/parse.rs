@@ -92,7 +92,7 @@ pub struct Parsed {
 
 /// Reads all blocks of a file.
 pub fn parse(source: &str, tokens: &[Token], log: &mut Vec<Diagnostic>) -> Parsed {
-    let mut parser = Parser { source, tokens, at: 0, log, lines: LineCounter::default() };
+    let mut parser = Parser { source, tokens, at: 0, log, lines: LineCounter::default(), depth: 0 };
     let mut parsed = Parsed { blocks: Vec::new(), lost: 0 };
     while parser.peek().is_some() {
         match parser.block() {
@@ -127,7 +127,12 @@ struct Parser<'a, 'l> {
     at: usize,
     log: &'l mut Vec<Diagnostic>,
     lines: LineCounter,
+    /// Blocks around this place.
+    depth: usize,
 }
+
+/// Most blocks inside one another.
+const DEEPEST: usize = 256;
 
 impl<'a> Parser<'a, '_> {
     fn peek(&self) -> Option<&'a Token<'a>> {
@@ -279,7 +284,7 @@ impl<'a> Parser<'a, '_> {
                     block.closed = true;
                     break;
                 }
-                Some(_) if self.at_inner_block(rule) => block.children.extend(self.block()),
+                Some(token) if self.at_inner_block(rule) => self.inner_block(token, &mut block),
                 Some(_) if !self.at_next_block() => self.entry(&mut block),
                 next => {
                     self.log.push(unclosed(&block, next));
@@ -288,6 +293,20 @@ impl<'a> Parser<'a, '_> {
             }
         }
         block
+    }
+
+    /// A block inside of a block, unless there are too many around it.
+    fn inner_block(&mut self, name: &Token, outer: &mut Block) {
+        if self.depth == DEEPEST {
+            let d = Diagnostic::error(name.span.clone(), format!("`{}` stands too deep", name.text));
+            self.log.push(d.expected(format!("at most {DEEPEST} blocks inside one another")));
+            self.at += 2;
+            self.skip_braces();
+            return;
+        }
+        self.depth += 1;
+        outer.children.extend(self.block());
+        self.depth -= 1;
     }
 
     /// One parameter with its values, or one mistake.

@@ -2,7 +2,7 @@
 
 use super::{Shape, ShapeError, Solid};
 use crate::bounds::Aabb;
-use crate::frame::{transform_normal, unit};
+use crate::frame::{normal_matrix, unit};
 use crate::num::gamma;
 use crate::ray::{Crossing, Hit, Ray, Span};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
@@ -15,6 +15,8 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 pub struct Instance<S: ?Sized + Shape = dyn Shape> {
     to_world: DAffine3,
     to_local: DAffine3,
+    /// Takes normals to the world, but for their length.
+    normals: DMat3,
     /// Sum of the magnitudes of each row, the largest: how much the maps stretch a coordinate's error.
     world_stretch: f64,
     local_stretch: f64,
@@ -34,8 +36,9 @@ impl<S: ?Sized + Shape> Instance<S> {
         if !(m.determinant().abs() > gamma(9) * size) || !to_local.is_finite() {
             return Err(ShapeError::Flat { what: "transformation" });
         }
+        let normals = normal_matrix(&m).ok_or(ShapeError::Flat { what: "transformation" })?;
         let (world_stretch, local_stretch) = (stretch(&m), stretch(&to_local.matrix3));
-        Ok(Instance { to_world, to_local, world_stretch, local_stretch, shape })
+        Ok(Instance { to_world, to_local, normals, world_stretch, local_stretch, shape })
     }
 
     fn local(&self, ray: &Ray) -> Ray {
@@ -63,14 +66,14 @@ impl<S: ?Sized + Shape> Shape for Instance<S> {
         let point = self.to_world.transform_point3(local.point);
         let map_back =
             self.local_stretch * (point.abs().max_element() + self.to_world.translation.abs().max_element());
-        let ng = transform_normal(m, local.ng).unwrap_or(local.ng);
+        let ng = unit(self.normals * local.ng).unwrap_or(local.ng);
         let tangent = unit(*m * local.tangent).unwrap_or(local.tangent);
         Hit {
             point,
             point_error: self.world_stretch
                 * (local.point_error + gamma(8) * (local.point.abs().max_element() + map_back)),
             ng,
-            n: if local.n == local.ng { ng } else { transform_normal(m, local.n).unwrap_or(ng) },
+            n: if local.n == local.ng { ng } else { unit(self.normals * local.n).unwrap_or(ng) },
             tangent: unit(tangent - ng * tangent.dot(ng)).unwrap_or(tangent),
             ..local
         }

@@ -46,8 +46,16 @@ pub enum ShapeError {
     NoVolume { what: &'static str },
     #[error("{what}: expected half-spaces that enclose a bounded volume, found one that runs to infinity")]
     Unbounded { what: &'static str },
+    #[error("{what}: expected {allowed}, found {found}")]
+    OutOfRange { what: &'static str, allowed: &'static str, found: f64 },
     #[error("polygon: expected at least 3 vertices, found {found}")]
     TooFewVertices { found: usize },
+    #[error("menger: expected a depth of at most {allowed}, found {found}")]
+    TooDeep { allowed: u32, found: u32 },
+    #[error(
+        "menger: expected cells of at least {least} m, which rounding can tell apart there, found {found} m"
+    )]
+    TooFine { least: f64, found: f64 },
     #[error("polygon: expected vertices within {allowed} of one plane, found one at {found}")]
     NotFlat { allowed: f64, found: f64 },
 }

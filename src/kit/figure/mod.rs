@@ -28,6 +28,7 @@ pub mod label;
 mod map;
 mod panels;
 mod raster;
+mod roots;
 mod space;
 mod stroke;
 pub mod svg;
@@ -41,6 +42,7 @@ pub use drawing::{Drawing, Pixels};
 pub use heading::{grouped, short};
 pub use map::{FailureMap, Shades};
 pub use panels::{ErrorPanel, Panels};
+pub use roots::{Bar, Roots};
 pub use space::Space;
 pub use table::Table;
 

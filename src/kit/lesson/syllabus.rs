@@ -74,6 +74,26 @@ pub const SYLLABUS: &[Entry] = &[
         builds_on: &[(1, "the camera's right, up and forward"), (6, "shapes along the axes")],
     },
     Entry {
+        number: 8,
+        name: "marching",
+        question: "When may a ray leap, how far, and what does it miss?",
+        chapter: "Surfaces",
+        introduces: &["sdf", "shape::cylinder", "shape::cone"],
+        builds_on: &[
+            (2, "a ray meets a sphere"),
+            (5, "a surface of degree four"),
+            (6, "cylinders and cones"),
+        ],
+    },
+    Entry {
+        number: 10,
+        name: "csg",
+        question: "How do spans along a ray make solids out of solids, and when do the documents' rules break?",
+        chapter: "Surfaces",
+        introduces: &["csg", "shape::cylinder"],
+        builds_on: &[(3, "a scene, a light, a picture"), (4, "rays along faces"), (7, "a shape under a map")],
+    },
+    Entry {
         number: 11,
         name: "meshes",
         question: "How many triangles is a round thing worth, and what breaks a mesh?",

@@ -1,7 +1,8 @@
 //! The blocks that describe objects.
 
-use super::{ANY, ONES, SOURCE, ZERO, length, number, point, triple};
+use super::{ANY, ONES, SOURCE, ZERO, integer, length, number, point, triple};
 use crate::scene_file::format::{Default, Domain, Kind, Names, Origin, Param, Role, Rule, State};
+use crate::sdf::Menger;
 
 pub(super) const MATERIAL: Param = Param::new(
     "Material",
@@ -217,6 +218,25 @@ pub const OBJECTS: &[Rule] = &[
             coefficient("J", "constant"),
             clip("ClipMin", "lowest corner of the clip box; none: endless that way"),
             clip("ClipMax", "highest corner of the clip box; none: endless that way"),
+            MOVED,
+            TURNED,
+            STRETCHED,
+        ],
+    ),
+    own(
+        "Menger",
+        "A Menger sponge: a cube cut into 27, of which seven are taken away, and so again with those that are left [E §2.3].",
+        &[
+            MATERIAL,
+            point("Center", ZERO, "its centre"),
+            length("Edge", &[1.0], "edge of the cube"),
+            Param::new(
+                "Depth",
+                "n",
+                integer(0, Menger::MOST_DEPTH as i64),
+                Default::Integers(&[3]),
+                "how often it is cut; 0 is the whole cube",
+            ),
             MOVED,
             TURNED,
             STRETCHED,

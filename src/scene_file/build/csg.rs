@@ -3,10 +3,10 @@
 use super::mesh;
 use super::objects::{contradiction, lacks_numbers, solid};
 use super::transformation::transformation;
-use crate::csg::{Csg, MOST_DEPTH, Tree};
+use crate::csg::{Csg, Tree};
 use crate::mesh::ClosedMesh;
 use crate::scene::Object;
-use crate::scene_file::csg::{self, operation};
+use crate::scene_file::csg::{self, MOST_DEEP, operation};
 use crate::scene_file::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::scene_file::format::{Role, State};
 use crate::scene_file::parse::Block;
@@ -129,9 +129,9 @@ impl Workshop<'_> {
         }
         let wrong = |message: String| Diagnostic::error(block.keyword.clone(), message);
         let name = block.rule.name;
-        if from.depth > MOST_DEPTH {
+        if from.depth > MOST_DEEP {
             let d = wrong(format!("`{name}` stands too deep"));
-            log.push(d.expected(format!("at most {MOST_DEPTH} operations inside one another")));
+            log.push(d.expected(format!("at most {MOST_DEEP} operations inside one another")));
             return None;
         }
         let material = self.material(block, from.material, place, log);

@@ -3,13 +3,14 @@
 use super::csg::Workshop;
 use super::mesh::Meshes;
 use super::transformation::{Made, MadeSolid, Put, cube, ellipsoid, instance, placed, transformation};
-use super::{later, of, point};
+use super::{later, natural, of, point};
 use crate::bounds::Aabb;
 use crate::frame::basis;
 use crate::scene::{Material, Object};
 use crate::scene_file::diagnostic::{Diagnostic, Diagnostics};
 use crate::scene_file::format::{Default, Kind, Param, Role, State};
 use crate::scene_file::parse::Block;
+use crate::sdf::Menger;
 use crate::shape::cone::Cone;
 use crate::shape::cylinder::Cylinder;
 use crate::shape::disc::Disc;
@@ -158,6 +159,10 @@ pub fn solid(block: &Block, map: DAffine3) -> Option<MadeSolid> {
         "Plane" => plane(block, map).map(Put::solid),
         "Quadric" if clip_box(block) == Aabb::EVERYTHING => {
             quadric(block).and_then(|quadric| instance(quadric, map)).map(Put::solid)
+        }
+        "Menger" => {
+            let [depth] = block.integers("Depth").map(natural);
+            placed(map, |by| Menger::new(vector("Center") + by, scalar("Edge"), depth)).map(Put::solid)
         }
         _ => return None,
     };

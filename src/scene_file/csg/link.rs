@@ -1,7 +1,6 @@
 //! Who names whom, and what is wrong with it.
 
-use super::{MOST_SOLIDS, operation};
-use crate::csg::MOST_DEPTH;
+use super::{MOST_DEEP, MOST_SOLIDS, operation};
 use crate::scene_file::diagnostic::{Diagnostic, Severity};
 use crate::scene_file::parse::{Block, Parsed};
 
@@ -143,9 +142,9 @@ impl Links {
         if solids > MOST_SOLIDS {
             let d = Diagnostic::error(place(), "the tree is too large");
             log.push(d.expected(format!("at most {MOST_SOLIDS} solids")).found(format!("{solids}")));
-        } else if depth > MOST_DEPTH {
+        } else if depth > MOST_DEEP {
             let d = Diagnostic::error(place(), "the tree is too deep");
-            let expected = format!("at most {MOST_DEPTH} operations inside one another");
+            let expected = format!("at most {MOST_DEEP} operations inside one another");
             log.push(d.expected(expected).found(format!("{depth}")));
         }
     }

@@ -28,6 +28,9 @@ use std::path::Path;
 /// Most solids of a tree, a node that is named twice counted twice.
 pub const MOST_SOLIDS: usize = 65_536;
 
+/// Most operations inside one another.
+pub const MOST_DEEP: usize = 512;
+
 /// A file's nodes and who holds whom; also of files that are wrong, as far as they can be read.
 #[derive(Debug)]
 pub struct CsgFile {
