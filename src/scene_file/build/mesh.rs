@@ -58,7 +58,7 @@ pub fn read(
     files: &mut Vec<Diagnostics>,
     log: &mut Vec<Diagnostic>,
 ) -> Option<ObjFile> {
-    if block.is_broken() {
+    if block.is_broken() || !block.closed {
         return None; // reported where it was read
     }
     let path = folder.join(block.word("Source")?);
