@@ -121,7 +121,7 @@ impl Wheel<'_> {
     /// the difference from a nearby white is exact.
     ///
     /// - Domain: finite; the white itself has no hue: `None`. From 699 nm on the table's points lie within 1e-7
-    ///   of each other in no order: there any wavelength up to 830 nm is as right as another.
+    ///   of each other in no order: there any wavelength up to 780 nm is as right as another.
     /// - Accuracy: purity `γ₁₆` (and the rounding of `d`, `u·(|xy| + |w|)/|d|`); wavelength the same over the spokes'
     ///   angle: below 1e-10 nm between 400 and 690 nm.
     /// - NaN: `None`.

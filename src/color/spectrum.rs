@@ -80,12 +80,12 @@ impl Matching {
         }
     }
 
-    /// First and last wavelength [nm] where the functions' ratios mean a chromaticity. The fits follow the functions where
-    /// they are large; where those fade, the quotients of two small numbers run away.
+    /// First and last wavelength [nm] of the chromaticity diagram: the usual 380 to 780 nm, beyond which the table's
+    /// points curl within 2e-3 of its ends. The fits follow the functions where those are large; where they fade, the
+    /// quotients of two small numbers run away.
     pub fn range(self) -> (f64, f64) {
         match self {
-            Matching::Table1nm => VISIBLE,
-            Matching::Table5nm => (380.0, 780.0),
+            Matching::Table1nm | Matching::Table5nm => (380.0, 780.0),
             Matching::MultiLobe | Matching::SingleLobe => (400.0, 640.0),
         }
     }

@@ -73,6 +73,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &[],
         builds_on: &[(1, "the camera's right, up and forward"), (6, "shapes along the axes")],
     },
+    Entry {
+        number: 14,
+        name: "colour",
+        question: "What do three numbers keep of a colour, and what does each shortcut lose?",
+        chapter: "Light",
+        introduces: &[],
+        builds_on: &[(3, "a first picture: radiance in three channels")],
+    },
 ];
 
 impl Entry {
