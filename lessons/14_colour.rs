@@ -31,7 +31,7 @@ use pictures::ORANGE;
 use solids::Model;
 
 const PAIR: [f64; 2] = [490.0, 600.0]; // nm, two lines that make white
-const NEIGHBOURS: u32 = 256; // lines within 64 nm of each other's ends, at 600 nm
+const NEIGHBOURS: u32 = 256; // lines, a quarter of a nm apart, at 600 nm
 
 fn main() -> Result {
     let lesson = Lesson::open(14)?;
@@ -48,56 +48,61 @@ fn main() -> Result {
 
     // 3. The figures: the diagram and its uses, the models as solids, pictures, and where methods fail.
     diagrams::save(&lesson, &wheel, &gamuts)?;
-    let [solid, small, samples] = lesson.pick([[24, 16, 1], [480, 280, 4], [600, 400, 16], [900, 600, 64]]);
-    lesson.save("rgb_cube", solids::cube(solid, Model::Rgb))?;
-    lesson.save("cmy_cube", solids::cube(solid, Model::Cmy))?;
-    lesson.save("painters", solids::cones(solid))?;
-    lesson.save("discs", pictures::discs(solid))?;
-    lesson.save("orange", pictures::orange(small, samples as u32, lesson.seed()))?;
-    lesson.save("averages", pictures::averages(lesson.pick([16, 90, 90, 90])))?;
-    lesson.save("spectrum", pictures::spectrum(lesson.pick([60, 560, 560, 1120])))?;
+    shown(&lesson, &wheel)?;
     lesson.save("matching", charts::speed(&contest, spectra))?;
-    lesson.save("fits", charts::fits())?;
-    lesson.save("narrow", charts::narrow(lesson.pick([1, 24, 64, 128]), lesson.seed()))?;
-    lesson.save("grey", charts::grey(lesson.pick([16, 400, 2000, 4000]), lesson.seed()))?;
-    lesson.save("white", charts::white())?;
-    lesson.save("upright", charts::upright(&wheel))?;
-    lesson.save(
-        "near_white",
-        charts::near_white(&wheel, lesson.pick([(12, 9), (120, 90), (240, 180), (240, 180)])),
-    )?;
-    lesson.save("gamut", charts::gamut(&wheel))?;
+    failures(&lesson, &wheel)?;
     lesson.save("purity_printed", charts::purity_printed())?;
     lesson.save("luminance_printed", charts::luminance_printed())?;
     lesson.save("cones_printed", charts::cones_printed())?;
 
     // 4. What the figures show, checked.
     let ordered = gamuts.screen < gamuts.lines && gamuts.lines < gamuts.largest && gamuts.largest < 1.0;
-    let sentence = format!(
-        "no triangle covers the diagram: three lines reach {:.1} % of it at best, C's 630, 530 and 450 nm {:.1} %, a screen {:.1} %",
-        100.0 * gamuts.largest,
-        100.0 * gamuts.lines,
-        100.0 * gamuts.screen
+    let [best, lines, screen] = [gamuts.largest, gamuts.lines, gamuts.screen].map(|share| 100.0 * share);
+    lesson.claim(
+        &format!("no triangle covers the diagram: three lines reach {best:.1} % of it at best, C's 630, 530 and 450 nm {lines:.1} %, a screen {screen:.1} %"),
+        ordered,
     );
-    lesson.claim(&sentence, ordered);
     let (pair, many) = (purity_of_pair(PAIR[0], PAIR[1]), neighbours());
-    let sentence = format!(
-        "lines at 490 and 600 nm make white (purity {}), {NEIGHBOURS} neighbouring lines a purity of {many:.2}: their number does not decide",
-        short(pair)
+    lesson.claim(
+        &format!("lines at 490 and 600 nm make white (purity {}), {NEIGHBOURS} neighbouring lines a purity of {many:.3}: their number does not decide", short(pair)),
+        pair < 1.0e-3 && many > 0.9,
     );
-    lesson.claim(&sentence, pair < 1.0e-3 && many > 0.9);
     let [kept, moved] = IntoGamut::ALL.map(|way| largest_change(way, &wheel));
-    let sentence = format!(
-        "mixed with white until a screen can show it a line keeps its dominant wavelength to {} nm; clipped it moves by up to {moved:.0} nm",
-        short(kept)
+    lesson.claim(
+        &format!("mixed with white until a screen can show it a line keeps its dominant wavelength to {} nm; clipped it moves by up to {moved:.0} nm", short(kept)),
+        kept < 1.0e-9 && moved > 1.0,
     );
-    lesson.claim(&sentence, kept < 1.0e-9 && moved > 1.0);
     let error = |k: usize, i: usize| contest[k].1.points[i].error.map_or(f64::NAN, |e| e.mid);
     lesson.answer(&format!(
-        "A luminance and a point of a diagram of which no three lamps make more than {:.0} %. A table at 10 nm finds that point to {}, the best fit to {}; \
+        "a luminance and a point of a diagram of which three lamps make at most {best:.0} %. A table at 10 nm finds that point to {}, the best fit to {}; \
          averaging bytes loses {:.0} % of the light; clipping turns hues by up to {moved:.0} nm.",
-        100.0 * gamuts.largest, short(error(0, 3)), short(error(2, 0)), 100.0 * (1.0 - 2.0 * srgb_decode(0.5))
+        short(error(0, 3)), short(error(2, 0)), 100.0 * (1.0 - 2.0 * srgb_decode(0.5))
     ))
+}
+
+/// The models as solids, lamps and inks, an orange, a mean of bytes, a spectrum on a screen.
+fn shown(lesson: &Lesson, wheel: &Wheel) -> Result {
+    // 552 pixels is the size at which two pictures stand side by side.
+    let [solid, small, samples] = lesson.pick([[24, 16, 1], [552, 280, 4], [552, 400, 16], [1104, 560, 64]]);
+    lesson.save("rgb_cube", solids::cube(solid, Model::Rgb))?;
+    lesson.save("cmy_cube", solids::cube(solid, Model::Cmy))?;
+    lesson.save("painters", solids::cones(solid))?;
+    lesson.save("discs", pictures::discs(solid))?;
+    lesson.save("orange", pictures::orange(small, samples as u32, lesson.seed()))?;
+    lesson.save("averages", pictures::averages(lesson.pick([16, 90, 90, 90])))?;
+    lesson.save("spectrum", pictures::spectrum(lesson.pick([60, 560, 560, 1120]), wheel))
+}
+
+/// Where methods fail: fits, steps, few bits, whites, slopes, the screen's gamut.
+fn failures(lesson: &Lesson, wheel: &Wheel) -> Result {
+    let cells = lesson.pick([(12, 9), (120, 90), (240, 180), (240, 180)]);
+    lesson.save("fits", charts::fits())?;
+    lesson.save("narrow", charts::narrow(lesson.pick([1, 24, 64, 128]), lesson.seed()))?;
+    lesson.save("grey", charts::grey(lesson.pick([16, 400, 2000, 4000]), lesson.seed()))?;
+    lesson.save("white", charts::white())?;
+    lesson.save("edges", charts::edges(wheel))?;
+    lesson.save("near_white", charts::near_white(wheel, cells))?;
+    lesson.save("gamut", charts::gamut(wheel))
 }
 
 fn neighbours() -> f64 {

@@ -2,7 +2,7 @@
 
 use super::pictures::changes;
 use glam::{DVec2, dvec2, dvec3};
-use lightbench::color::dominant::{Locus, Rim, Wheel, purity_as_printed};
+use lightbench::color::dominant::{Dominant, Locus, Rim, Wheel, purity_as_printed};
 use lightbench::color::gamut::IntoGamut;
 use lightbench::color::models::{Hsv, hls_from_rgb, hls_saturation_textbook, hue, rgb_from_hsv};
 use lightbench::color::spectrum::{CONE_PEAKS_AS_PRINTED, Matching, black_body, cones};
@@ -10,7 +10,7 @@ use lightbench::color::xyz::{
     EQUAL_ENERGY, Xyy, luminance_as_printed, rgb_from_xyz, xyy_from_xyz, xyz_from_rgb, xyz_from_xyy,
 };
 use lightbench::color::{Rgb, srgb_decode, srgb_encode};
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide};
+use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Table, short};
 use lightbench::measure::{Method, Point, Series, Spread, Tally, log_spaced, time_each};
 use lightbench::num::double_double::DoubleDouble;
 use lightbench::sample::Sampler;
@@ -71,10 +71,13 @@ pub fn contest(count: u32, seed: u64) -> Vec<(Method, Series)> {
 }
 
 pub fn speed(contest: &[(Method, Series)], spectra: u32) -> Figure {
-    let error = |k: usize, i: usize| contest[k].1.points[i].error.map_or(f64::NAN, |e| e.mid);
+    let at = |k: usize, i: usize| &contest[k].1.points[i];
+    let error = |k: usize, i: usize| at(k, i).error.map_or(f64::NAN, |e| e.mid);
+    let time = |k: usize, i: usize| at(k, i).time.map_or(f64::NAN, |t| t.mid);
     let title = format!(
-        "A table at 10 nm is {:.0} × as accurate as the best fit at 1 nm, and faster",
-        error(2, 0) / error(0, 3)
+        "A table at 10 nm is {:.0} × as accurate as the best fit at 1 nm, in 1/{:.0} of its time",
+        error(2, 0) / error(0, 3),
+        time(2, 0) / time(0, 3)
     );
     let mut chart = Chart::speed_accuracy("error of chromaticity (distance in x, y), RMS")
         .x(Axis::time("time per spectrum"))
@@ -82,6 +85,7 @@ pub fn speed(contest: &[(Method, Series)], spectra: u32) -> Figure {
         .subtitle(&format!(
             "{spectra} spectra, black bodies plain and filtered; each point a step: 1, 2, 5, 10, 20, 40 nm"
         ))
+        // The semi-axes of MacAdam's ellipses (1942) are 0.0004 to 0.01 long.
         .guide(Guide::level(0.003, "about what an eye can tell apart"));
     for (method, series) in contest {
         chart = chart.line(method.clone(), series);
@@ -91,13 +95,14 @@ pub fn speed(contest: &[(Method, Series)], spectra: u32) -> Figure {
 
 /// Chromaticity of a line of the spectrum by each approximation.
 pub fn fits() -> Figure {
-    let wavelengths: Vec<f64> = (380..=720).step_by(2).map(|w| f64::from(w) + 0.5).collect();
+    // Half way between the rows of the table at 5 nm, where it is worst.
+    let wavelengths: Vec<f64> = (0..62).map(|k| 382.5 + 5.0 * f64::from(k)).collect();
     let mut chart = Chart::new(
-        Axis::linear("wavelength, nm").range(380.0, 720.0).every(40.0),
+        Axis::linear("wavelength, nm").range(380.0, 692.0).every(40.0),
         Axis::log("error of chromaticity (distance in x, y)"),
     )
     .title("Fits follow the functions where they are large; where they fade, their ratio runs away")
-    .subtitle("chromaticity of a single line against the table at 1 nm; at 5 nm only where the line falls between rows");
+    .subtitle("chromaticity of a single line against the table at 1 nm, half way between the rows at 5 nm");
     let at = |m: Matching, w: f64| xyy_from_xyz(m.at(w)).map(|c| c.xy);
     for matching in [Matching::Table5nm, Matching::MultiLobe, Matching::SingleLobe] {
         let error = |w: &f64| Some((*w, at(matching, *w)?.distance(at(Matching::Table1nm, *w)?)));
@@ -114,8 +119,8 @@ pub fn narrow(centers: u32, seed: u64) -> Figure {
         Axis::log("standard deviation of the line, nm"),
         "error of luminance, relative: median, worst",
     )
-    .title("A step misses lines narrower than half of it, and is exact to many digits for wider ones")
-    .subtitle(&format!("{centers} lines at random places between 450 and 650 nm, table at 1 nm"));
+    .title("A step misses lines narrower than half of it; wider ones it finds to a thousandth")
+    .subtitle(&format!("{centers} lines at random places between 450 and 650 nm; truth: the table at 1 nm, straight between its rows"));
     for (i, step) in [1.0, 5.0, 10.0, 20.0].into_iter().enumerate() {
         let series = Series::over(&widths, |width| {
             let mut tally = Tally::new();
@@ -127,8 +132,7 @@ pub fn narrow(centers: u32, seed: u64) -> Figure {
             }
             tally.worst_at(width)
         });
-        let method =
-            if i == 0 { Method::default_of("step 1 nm") } else { Method::new(&format!("step {step} nm")) };
+        let method = if i == 0 { Method::default_of("1 nm") } else { Method::new(&format!("{step} nm")) };
         chart = chart.line(method.styled(i), &series);
     }
     chart.guide(Guide::level(1.0, "all of it")).into()
@@ -176,24 +180,31 @@ pub fn grey(colours: u32, seed: u64) -> Figure {
 pub fn white() -> Figure {
     let u = f64::EPSILON / 2.0;
     // max = 1 − m u and min = 1 − n u exactly; the saturation is (n − m)/(n + m).
-    let distances: Vec<f64> = (0..=44).step_by(2).map(|k| 2f64.powi(k)).collect();
+    let distances: Vec<f64> = (0..=45).step_by(3).map(|k| 2f64.powi(k)).collect();
     let error = |way: &dyn Fn(Rgb) -> f64| {
         let of = |scale: &f64| {
             let worst = (1..=8).map(|k| {
-                let (m, n) = (scale * f64::from(k), scale * f64::from(k + 3) + f64::from(k % 3));
+                // Odd numbers, which 2 − max rounds.
+                let m = 2.0 * (scale * f64::from(k)).floor() + 1.0;
+                let n = 3.0 * m + f64::from(2 * k);
                 let rgb = dvec3(1.0 - m * u, 1.0 - n * u, 1.0 - n * u);
                 (way(rgb) * (n + m) / (n - m) - 1.0).abs()
             });
-            (scale * u, worst.fold(0.0, f64::max))
+            (2.0 * scale * u, worst.fold(0.0, f64::max))
         };
         distances.iter().map(of).collect::<Vec<_>>()
     };
-    Chart::new(Axis::log("distance from white, 1 − max"), Axis::log("relative error of the saturation of HLS"))
-        .title("One rounding of 2 − max loses the saturation of near-whites; (1 − max) + (1 − min) keeps every digit")
-        .subtitle("colours a few roundings under white, saturation known exactly from whole numbers")
-        .curve(Method::new("2 − max − min").styled(1), &error(&hls_saturation_textbook))
-        .curve(Method::default_of("(1 − max) + (1 − min)").styled(0), &error(&|rgb| hls_from_rgb(rgb).saturation))
-        .into()
+    Chart::new(
+        Axis::log("distance from white, 1 − max"),
+        Axis::log("relative error of the saturation of HLS"),
+    )
+    .title("Next to white 2 − max − min loses digits of the saturation, (1 − max) + (1 − min) keeps them all")
+    .subtitle(
+        "colours under white by whole numbers of roundings u = 2⁻⁵³, so that the saturation is known exactly",
+    )
+    .curve(Method::new("2 − max − min").styled(1), &error(&hls_saturation_textbook))
+    .curve(Method::default_of("(1 − max) + (1 − min)").styled(0), &error(&|rgb| hls_from_rgb(rgb).saturation))
+    .into()
 }
 
 /// The dominant wavelength by slope and intercept: y = m x + b through white and colour, met with every segment.
@@ -218,44 +229,42 @@ fn exact(xy: DVec2, white: DVec2) -> Option<f64> {
     let side = |p: DVec2| sub(p.x, white.x) * dy - sub(p.y, white.y) * dx;
     locus.points().windows(2).enumerate().find_map(|(i, w)| {
         let (a, b) = (side(w[0]), side(w[1]));
-        let ahead = (w[0] - white).dot(xy - white) > 0.0;
-        let met = a.value() * b.value() <= 0.0 && a.value() != b.value() && ahead;
+        let ahead = (w[0] - white).dot((xy - white).normalize_or_zero()) > 0.0;
+        let met = a.value().signum() * b.value().signum() <= 0.0 && a.value() != b.value() && ahead;
         met.then(|| locus.wavelength(i) + (a / (a - b)).value())
     })
 }
 
-/// Upright rays: the slope overflows, the cross product does not care.
-pub fn upright(wheel: &Wheel) -> Figure {
-    let white = wheel.white();
-    let tilts = log_spaced(1.0e-17, 0.3, 35);
-    let ours = |xy| match wheel.dominant(xy)?.rim {
-        Rim::Spectral(w) => Some(w),
-        Rim::Purple(_) => None,
-    };
-    let over = |way: &dyn Fn(DVec2) -> Option<f64>| {
-        Series::over(&tilts, |tilt| {
-            let mut tally = Tally::new();
-            for k in 0..16 {
-                let x = white.x + tilt * f64::from(k - 8) / 8.0;
-                let xy = dvec2(x, white.y + 0.11 + f64::from(k) * 0.003);
-                let Some(truth) = exact(xy, white) else { continue };
-                match way(xy) {
-                    Some(found) => tally.error((found - truth).abs()),
-                    None => tally.answer(None, Some(truth)),
-                }
-            }
-            tally.worst_at(tilt)
-        })
-    };
-    Chart::error_over(
-        Axis::log("distance of the colour from the upright line through white"),
-        "error of the dominant wavelength, nm (median, worst)",
-    )
-    .title("Slope and intercept lose the colours right above white; cross products divide by nothing small")
-    .subtitle("16 colours a tilt, against 106 bits; missed: no line of the spectrum was found")
-    .line(Method::new("y = m x + b").styled(1), &over(&|xy| naive_slope(xy, white)))
-    .line(Method::default_of("cross products").styled(0), &over(&ours))
-    .into()
+/// Colours that break programs, by cross products, by slope and intercept, and in 106 bits.
+pub fn edges(wheel: &Wheel) -> Figure {
+    let (white, locus) = (wheel.white(), Locus::of(Matching::Table1nm));
+    let [violet, red] = locus.purple_line();
+    let cases = [
+        ("right above white", dvec2(white.x, 0.6)),
+        ("white and one rounding upwards", dvec2(white.x, white.y.next_up())),
+        ("white and one rounding to the right", dvec2(white.x.next_up(), white.y)),
+        ("white itself", white),
+        ("on the line of purples", violet.lerp(red, 0.5)),
+        ("at the red end, 780 nm", red),
+        ("imaginary, far below", dvec2(-3.0, -1.0e200)),
+    ];
+    let mut table = Table::new(&["colour", "cross products (default)", "purity", "y = m x + b", "106 bits"])
+        .title("White has no hue, one rounding off it has one; right above it a slope has none")
+        .subtitle("dominant wavelength in nm as seen from D65; c marks the complementary one of purples");
+    let told = |w: Option<f64>| w.map_or("–".to_string(), |w| format!("{w:.4}"));
+    for (name, xy) in cases {
+        let found = wheel.dominant(xy);
+        let (ours, purity) = match found {
+            Some(Dominant { rim: Rim::Spectral(w), purity }) => (told(Some(w)), short(purity)),
+            Some(Dominant { rim: Rim::Purple(w), purity }) => (format!("c {w:.4}"), short(purity)),
+            None => ("no hue".to_string(), "0".to_string()),
+        };
+        let opposite = || exact(white * 2.0 - xy, white).map(|w| format!("c {w:.4}"));
+        let truth = exact(xy, white).map(|w| told(Some(w))).or_else(opposite);
+        let truth = truth.unwrap_or_else(|| "no hue".to_string());
+        table = table.row(&[name, &ours, &purity, &told(naive_slope(xy, white)), &truth]);
+    }
+    table.into()
 }
 
 /// What 8 bits leave of the dominant wavelength.
@@ -268,9 +277,10 @@ pub fn near_white(wheel: &Wheel, cells: (usize, usize)) -> Figure {
         cells,
         |wavelength, purity| {
             let xy = wheel.white().lerp(locus.at(wavelength), purity);
-            let rgb = rgb_from_xyz(xyz_from_xyy(Xyy { xy, luminance: 0.2 })?);
+            let rgb = rgb_from_xyz(xyz_from_xyy(Xyy { xy, luminance: 1.0 })?);
             let shown = IntoGamut::Desaturate.apply(rgb);
-            let stored = shown.map(|c| srgb_decode((srgb_encode(c.min(1.0)) * 255.0).round() / 255.0));
+            let exposed = shown * (0.5 / shown.max_element());
+            let stored = exposed.map(|c| srgb_decode((srgb_encode(c) * 255.0).round() / 255.0));
             match wheel.dominant(xyy_from_xyz(xyz_from_rgb(stored))?.xy)?.rim {
                 Rim::Spectral(found) => Some((found - wavelength).abs().max(1.0e-3)),
                 Rim::Purple(_) => None,
@@ -284,7 +294,7 @@ pub fn near_white(wheel: &Wheel, cells: (usize, usize)) -> Figure {
         100.0 * share
     );
     map.title(&title)
-        .subtitle("colours of luminance 0.2, desaturated into the screen's gamut, stored in 8 bits of sRGB")
+        .subtitle("colours whose largest channel is ½, desaturated into the screen's gamut, stored in 8 bits of sRGB")
         .range(1.0e-3, 1.0e2)
         .into()
 }
@@ -304,8 +314,10 @@ pub fn gamut(wheel: &Wheel) -> Figure {
         Axis::linear("line of the spectrum, nm").range(420.0, 660.0).every(40.0),
         "change of the dominant wavelength, nm",
     )
-    .title(&format!("Clipping a line of the spectrum to a screen's gamut moves its hue by up to {most:.0} nm"))
-    .subtitle("lines shown in Rec. 709 with white D65; nan: the clipped colour is a purple; desaturating errs by rounding only")
+    .title(&format!(
+        "Clipping a line of the spectrum to a screen's gamut moves its hue by up to {most:.0} nm"
+    ))
+    .subtitle("lines of the spectrum in Rec. 709 with white D65; desaturating errs by rounding only")
     .line(Method::default_of(IntoGamut::Desaturate.name()).styled(0), &series(IntoGamut::Desaturate))
     .line(Method::new(IntoGamut::Clip.name()).styled(1), &series(IntoGamut::Clip))
     .into()
@@ -343,14 +355,15 @@ pub fn purity_printed() -> Figure {
     let pair = purity_of_pair(490.0, 600.0);
     Chart::new(
         Axis::log("number of lines of the spectrum").range(0.8, 700.0),
-        Axis::linear("purity").range(0.0, 1.05),
+        Axis::linear("purity").range(-0.06, 1.06),
     )
     .title(&format!(
-        "Two lines can make white (purity {pair:.0e}), 256 can be nearly pure: their number says nothing"
+        "Two lines can make white (purity {}), 256 can be nearly pure: their number says nothing",
+        short(pair)
     ))
     .subtitle("seen from the white of equal energy; C orders by number alone, drawn as 1/n")
     .curve(Method::as_printed("C: fewer is purer"), &over(&purity_as_printed))
-    .curve(Method::default_of("next to each other, at 600 nm").styled(0), &over(&together))
+    .curve(Method::new("next to each other, at 600 nm").styled(0), &over(&together))
     .curve(Method::new("spread from 400 to 700 nm").styled(1), &over(&spread))
     .dots(Method::new("490 and 600 nm").styled(2), &[(2.0, pair)])
     .into()
@@ -369,7 +382,7 @@ pub fn luminance_printed() -> Figure {
     .title(&format!("Luminance is Y alone: X + Y + Z counts a blue of 450 nm {ratio:.0} times"))
     .subtitle("the sum only makes x + y + z = 1; as a measure of brightness it follows Z")
     .function(Method::as_printed("C: X + Y + Z"), &over(&|w| luminance_as_printed(table.at(w))))
-    .function(Method::default_of("Y").styled(0), &over(&|w| table.at(w).y))
+    .function(Method::new("Y").styled(0), &over(&|w| table.at(w).y))
     .into()
 }
 

@@ -50,7 +50,7 @@ fn sheet(title: &str, subtitle: &str, height: f64) -> (Drawing, f64) {
 }
 
 fn note(drawing: &mut Drawing, at: DVec2, words: &str, ink: Ink) {
-    drawing.text(Text::new(at, words, 20.0, ink));
+    drawing.text(Text::new(at, words, 20.0, ink).halo(6.0));
 }
 
 /// C, figure 10.
@@ -60,10 +60,8 @@ fn whole(fill: &Pixels) -> Figure {
         sheet(title, "CIE 1931 matching functions, 1 nm; B is daylight white, D65 (0.3127, 0.3290)", 1180.0);
     let s = Horseshoe::draw(&mut d, Rect::new(110.0, top + 10.0, 1130.0, 1120.0), fill, Rim::Ruled);
     s.point(&mut d, D65, "B", dvec2(12.0, 4.0));
-    let purple = s.at(dvec2(0.47, 0.125));
-    let text =
-        Text::new(purple + dvec2(14.0, 22.0), "line of purples: no line of the spectrum", 20.0, Ink::Muted);
-    d.text(text);
+    let purple = s.at(dvec2(0.47, 0.125)) + dvec2(14.0, 22.0);
+    note(&mut d, purple, "line of purples: no line of the spectrum", Ink::Muted);
     note(&mut d, s.at(dvec2(0.40, 0.80)), "the curve: lines of the spectrum, in nm", Ink::Muted);
     note(&mut d, s.at(dvec2(0.40, 0.765)), "inside: their mixtures, on straight lines", Ink::Muted);
     Figure::new(d, title, "The horseshoe of the CIE 1931 diagram filled with its colours: green at the top, red at the right, blue at the lower left, white B in the middle; wavelengths from 460 to 700 nm stand along the curve, a dashed line closes it below.")
@@ -81,7 +79,7 @@ fn dominant(fill: &Pixels, wheel: &Wheel) -> Figure {
         found.purity * 100.0
     );
     let (mut d, top) =
-        sheet(&title, "the ray from white B through A meets the spectrum in C; purity is |BA| / |BC|", 640.0);
+        sheet(&title, "the ray from white B through A meets the spectrum in C; purity is |BA| / |BC|", 570.0);
     let words = ["the colour A", "purity: 40 of 100 parts of the way", "dominant wavelength: that of C"];
     for (i, words) in words.iter().enumerate() {
         let x = 70.0 + 378.0 * i as f64;
@@ -138,7 +136,7 @@ fn mixtures(fill: &Pixels, wheel: &Wheel, gamuts: &Gamuts) -> Figure {
             }
             2 => {
                 s.gamut(&mut d, &gamuts.corners.map(|w| locus.at(w)), None);
-                s.point(&mut d, dvec2(0.06, 0.48), "G", dvec2(16.0, 6.0));
+                s.point(&mut d, dvec2(0.06, 0.48), "G", dvec2(0.0, -24.0));
                 let missing = 100.0 * (1.0 - gamuts.largest);
                 format!("the largest triangle of lines misses {missing:.0} %: G for one")
             }
@@ -196,11 +194,12 @@ struct Member(f64, f64, f64, &'static str, &'static str);
 /// C, diagram 1.
 fn family() -> Figure {
     let title = "Colour models by what they are for: devices mix, painters choose, the CIE measures";
-    let (mut d, top) = sheet(title, "all but the first row are linked by formulas in both directions", 720.0);
+    let (mut d, top) =
+        sheet(title, "the models of the last row are linked by formulas in both directions", 700.0);
     let rows = [top + 10.0, top + 150.0, top + 290.0, top + 430.0];
     let members = [
         Member(600.0, rows[0], 260.0, "colour models", ""),
-        Member(200.0, rows[1], 260.0, "the standard observer", "three imaginary colours"),
+        Member(200.0, rows[1], 280.0, "the standard observer", "three imaginary colours"),
         Member(600.0, rows[1], 260.0, "mixtures of three", "for devices"),
         Member(1000.0, rows[1], 260.0, "the painter's palette", "for people who choose"),
         Member(490.0, rows[2], 190.0, "additive", "lamps: add to black"),

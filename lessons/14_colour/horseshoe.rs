@@ -161,10 +161,8 @@ impl Horseshoe {
             x if x > 1.0 => Anchor::Start,
             _ => Anchor::Middle,
         };
-        let face = if letter.chars().count() <= 4 { Face::Italic } else { Face::Regular };
-        let size = if face == Face::Italic { 25.0 } else { 18.0 };
-        let text = Text::new(at + aside + dvec2(0.0, 7.0), letter, size, Ink::Text);
-        drawing.text(text.face(face).anchor(anchor).halo(4.0));
+        let text = Text::new(at + aside + dvec2(0.0, 7.0), letter, 25.0, Ink::Text);
+        drawing.text(text.face(Face::Italic).anchor(anchor).halo(4.0));
     }
 }
 

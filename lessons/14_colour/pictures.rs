@@ -20,7 +20,7 @@ use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::sphere::Sphere;
 use std::f64::consts::TAU;
 
-/// Reflectances of an orange for red, green and blue light [B §7.3].
+/// Reflectances of an orange for red, green and blue light [B §7.1.2].
 pub const ORANGE: Rgb = dvec3(0.9, 0.6, 0.1);
 
 /// Centre of the k-th of three discs on a sheet of side 1, and their radius.
@@ -66,19 +66,19 @@ pub fn discs(size: usize) -> Figure {
         let dark = Ink::Fixed([20, 22, 28]);
         let light = Ink::Fixed([250, 250, 250]);
         let middle = (center(0) + center(1) + center(2)) / 3.0;
-        let mut word = |at: DVec2, words: &str, ink: Ink| {
+        let mut word = |at: DVec2, words: &str, size: f64, ink: Ink| {
             let at = place.min + at * place.width() + dvec2(0.0, 8.0);
-            d.text(Text::new(at, words, 22.0, ink).anchor(Anchor::Middle).face(Face::Bold));
+            d.text(Text::new(at, words, size, ink).anchor(Anchor::Middle).face(Face::Bold));
         };
         for k in 0..3 {
             let out = center(k) - middle;
             let ink =
                 |name: &str| if ["blue", "red", "magenta", "black"].contains(&name) { light } else { dark };
-            word(middle + out * 1.55, alone[k], ink(alone[k]));
+            word(middle + out * 1.55, alone[k], 22.0, ink(alone[k]));
             // Opposite each disc lies the overlap of the two others.
-            word(middle - out * 0.80, pairs[k], ink(pairs[k]));
+            word(middle - out * 1.02, pairs[k], 18.0, ink(pairs[k]));
         }
-        word(middle, all, if i == 0 { dark } else { light });
+        word(middle, all, 22.0, if i == 0 { dark } else { light });
         let words = ["additive: light on light", "subtractive: ink on ink"][i];
         let at = dvec2(place.center().x, place.max.y + 28.0);
         d.text(Text::new(at, words, 20.0, Ink::Text).anchor(Anchor::Middle));
@@ -98,7 +98,7 @@ pub fn orange(size: usize, samples: u32, seed: u64) -> Figure {
     let mut panels = Panels::new()
         .columns(4)
         .title("An orange sends back 0.9 of the red, 0.6 of the green, 0.1 of the blue: a lamp's colour times its own")
-        .subtitle("reflectances of B §7.3; the floor sends back 0.8 of each")
+        .subtitle("reflectances of B §7.1.2; the floor sends back 0.8 of each")
         .alt("An orange ball on a pale floor under a white, a red, a green and a blue lamp: orange, bright red, green of two thirds, and nearly black blue.");
     for (name, lamp) in lamps {
         let image =
@@ -107,7 +107,7 @@ pub fn orange(size: usize, samples: u32, seed: u64) -> Figure {
         let sent = (lamp * ORANGE).to_array().map(|c| format!("{c}"));
         panels = panels.picture(Pixels::from(&image), &format!("{name}: ({})", sent.join(", ")));
     }
-    Figure::from(panels).caption("The worked reflectances of B, §7.3 (illustration 7.11 is a photograph): the colour that leaves is the product, channel by channel.")
+    Figure::from(panels).caption("The worked reflectances of B, §7.1.2 (illustration 7.11 is a photograph): the colour that leaves is the product, channel by channel.")
 }
 
 fn fruit(lamp: Rgb) -> Scene {
@@ -121,7 +121,7 @@ fn fruit(lamp: Rgb) -> Scene {
     scene.objects = vec![Object::new("floor", Box::new(floor), 0), Object::new("orange", Box::new(ball), 1)];
     let at = dvec3(-2.6, 4.6, 3.0);
     let light = AreaLight::new(at, -at, 0.0, dvec2(1.4, 1.4), lamp * 0.98, Falloff::None).expect("a lamp");
-    scene.lights = vec![Light::Area(light.subdivided(2, 2, Placement::Jittered))];
+    scene.lights = vec![Light::Area(light.subdivided(4, 4, Placement::Jittered))];
     scene.ambient = lamp * 0.14;
     scene.background = lamp * 0.55 + 0.08;
     scene
@@ -173,7 +173,7 @@ pub fn averages(size: usize) -> Figure {
 }
 
 /// The lines of the spectrum on a screen, clipped and desaturated.
-pub fn spectrum(width: usize) -> Figure {
+pub fn spectrum(width: usize, wheel: &Wheel) -> Figure {
     let (low, high) = (400.0, 690.0);
     let height = width / 7;
     let bar = |way: IntoGamut| {
@@ -187,9 +187,13 @@ pub fn spectrum(width: usize) -> Figure {
     };
     let title =
         "No line of the spectrum is in a screen's gamut: clipping turns hues, mixing with white pales them";
-    let mut d = Drawing::new(1200.0, 620.0);
-    let subtitle = "lines of equal power at one exposure";
-    let top = Heading { title: title.to_string(), subtitle: subtitle.to_string() }.draw(&mut d);
+    let mut d = Drawing::new(1200.0, 650.0);
+    let added = (420..=660).map(|w| changes(IntoGamut::Clip, f64::from(w), wheel).1).fold(0.0, f64::max);
+    let subtitle = format!(
+        "lines of equal power at one exposure; clipping multiplies their luminance by up to {:.1}",
+        1.0 + added
+    );
+    let top = Heading { title: title.to_string(), subtitle }.draw(&mut d);
     for (i, way) in IntoGamut::ALL.into_iter().enumerate() {
         let y = top + 36.0 + 222.0 * i as f64;
         let place = Rect::new(40.0, y, 1160.0, y + 160.0);

@@ -19,7 +19,7 @@ const PAPER: Rgb = Rgb::splat(0.93);
 /// Rays along a pixel's side.
 const SIDE: usize = 3;
 /// Half the field of view is `atan` of this.
-const SLOPE: f64 = 0.3;
+const SLOPE: f64 = 0.235;
 
 /// Eight corners with their names: coordinates, and what RGB calls them.
 const CORNERS: [(DVec3, &str, &str); 8] = [
@@ -112,7 +112,7 @@ pub fn cube(size: usize, model: Model) -> Figure {
             letters[1],
             letters[2]
         ),
-        "opened: half-way grey (½, ½, ½) in the corner, on the diagonal of greys".to_string(),
+        "opened: grey (½, ½, ½) in the corner, half way".to_string(),
     ];
     for (place, words) in places.iter().zip(under) {
         below(&mut d, place, &words);
@@ -178,16 +178,19 @@ fn label(drawing: &mut Drawing, camera: &Camera, place: &Rect, corner: DVec3, na
         x if x < 0.0 => Anchor::End,
         _ => Anchor::Start,
     };
-    let words = format!("{name} ({:.0},{:.0},{:.0})", corner.x, corner.y, corner.z);
-    let reach =
-        if front { dvec2(0.0, 30.0) } else { out * 12.0 + dvec2(0.0, if out.y > 0.0 { 12.0 } else { -2.0 }) };
-    let at = at + reach;
-    // Long names of the side corners hang inside the picture's edge.
-    let text = Text::new(at, words, 17.0, Ink::Fixed([27, 31, 39])).anchor(anchor).halo(0.0);
-    let bounds = text.bounds();
-    let shift = (place.min.x + 4.0 - bounds.min.x).max(0.0) - (bounds.max.x - place.max.x + 4.0).max(0.0);
-    let down = if shift != 0.0 { if out.y < 0.2 { -16.0 } else { 20.0 } } else { 0.0 };
-    drawing.text(Text { at: at + dvec2(shift, down), ..text });
+    let ink = Ink::Fixed(if name == "black" { [245, 245, 245] } else { [27, 31, 39] });
+    // Two lines: the name, and the coordinates under it.
+    let first = match (front, out.y) {
+        (true, _) => at + dvec2(0.0, 28.0),
+        (_, y) if y < -0.6 => at + dvec2(0.0, -32.0),
+        (_, y) if y > 0.6 => at + dvec2(0.0, 24.0),
+        _ => at + out * 10.0 + dvec2(0.0, -4.0),
+    };
+    let words = [name.to_string(), format!("({:.0},{:.0},{:.0})", corner.x, corner.y, corner.z)];
+    for (i, words) in words.into_iter().enumerate() {
+        let line = first + dvec2(0.0, 21.0 * i as f64);
+        drawing.text(Text::new(line, words, 19.0, ink).anchor(anchor));
+    }
 }
 
 /// The first meeting with solids of which a wedge towards the viewer is cut away.
@@ -215,7 +218,7 @@ pub fn cones(size: usize) -> Figure {
     let hsv = [made(DVec3::Y, DVec3::ZERO, 1.0)];
     let hls = [made(DVec3::Y * 0.5, DVec3::ZERO, 1.0), made(DVec3::Y * 0.5, DVec3::Y, 1.0)];
     let stretch = 1.5; // the solids are half as high again as their coordinates
-    let camera = camera(dvec3(0.6, 2.7, 4.4), dvec3(0.0, 0.68, 0.0));
+    let camera = camera(dvec3(0.7, 3.1, 5.4), dvec3(0.0, 0.74, 0.0));
     // A quarter towards the viewer; hue 0, red, lies to the right.
     let wedge = [dvec3(0.8, 0.0, 0.6), dvec3(-0.6, 0.0, 0.8)];
     let squeeze = |ray: &Ray| {

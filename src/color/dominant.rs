@@ -77,7 +77,13 @@ impl Locus {
     /// The diagram as seen from a white; `None` of a white outside.
     pub fn wheel(&self, white: DVec2) -> Option<Wheel<'_>> {
         let spokes = self.points.iter().map(|p| p - white).collect();
-        self.contains(white).then_some(Wheel { locus: self, white, spokes })
+        let mut wheel = Wheel { locus: self, white, spokes, farthest: Vec::new() };
+        let mut far = 0;
+        for i in 0..wheel.spokes.len() {
+            far = if wheel.precedes(far, wheel.spokes[i]) { i } else { far };
+            wheel.farthest.push(far);
+        }
+        self.contains(white).then_some(wheel)
     }
 }
 
@@ -104,6 +110,8 @@ pub struct Wheel<'a> {
     locus: &'a Locus,
     white: DVec2,
     spokes: Vec<DVec2>,
+    /// Which of the spokes up to each one has turned farthest; but for the curl at the red end, it is that one.
+    farthest: Vec<usize>,
 }
 
 impl Wheel<'_> {
@@ -121,7 +129,7 @@ impl Wheel<'_> {
     /// the difference from a nearby white is exact.
     ///
     /// - Domain: finite; the white itself has no hue: `None`. From 699 nm on the table's points lie within 1e-7
-    ///   of each other in no order: there any wavelength up to 780 nm is as right as another.
+    ///   of each other in no order: there the shortest of the wavelengths that fit is taken.
     /// - Accuracy: purity `γ₁₆` (and the rounding of `d`, `u·(|xy| + |w|)/|d|`); wavelength the same over the spokes'
     ///   angle: below 1e-10 nm between 400 and 690 nm.
     /// - NaN: `None`.
@@ -147,27 +155,23 @@ impl Wheel<'_> {
         (scale > 0.0 && unit.is_finite()).then_some((unit, scale / part))
     }
 
-    /// The wavelength where direction `d` meets the curve, and how often `d` goes into the way there.
+    /// The wavelength where direction `d` meets the curve first, and how often `d` goes into the way there.
     fn spectral(&self, d: DVec2) -> Option<(f64, f64)> {
-        let last = self.spokes.len() - 1;
-        if self.precedes(last, d) && self.spokes[last].perp_dot(d) != 0.0 {
-            return None; // beyond the red end: on the line of purples
+        // The first spoke at `d` or beyond; none where `d` points to the line of purples.
+        let high = self.farthest.partition_point(|far| self.precedes(*far, d));
+        if high == self.spokes.len() {
+            return None;
         }
-        let (mut low, mut high) = (0, last);
-        while high - low > 1 {
-            let middle = (low + high) / 2;
-            if self.precedes(middle, d) { low = middle } else { high = middle }
-        }
+        let (low, high) = (high.saturating_sub(1), high.max(1));
         let (a, b) = (self.spokes[low], self.spokes[high]);
         let (from, to) = (a.perp_dot(d), b.perp_dot(d));
         // Both 0 where two points of the table lie in one direction.
         let share = if from == to { 0.0 } else { (from / (from - to)).clamp(0.0, 1.0) };
-        let meeting = a.lerp(b, share);
-        let reach = if from == to { meeting.dot(d) / d.length_squared() } else { reach(a, b, d)? };
+        let reach = a.lerp(b, share).dot(d) / d.length_squared();
         (reach > 0.0).then(|| (self.locus.wavelength(low) + share * self.locus.step, reach))
     }
 
-    /// Does the spoke come before direction `d`, or point there, on the way clockwise from the violet end?
+    /// Does the spoke come before direction `d` on the way clockwise from the violet end?
     fn precedes(&self, i: usize, d: DVec2) -> bool {
         let (start, spoke) = (self.spokes[0], self.spokes[i]);
         let is_past_half = |v: DVec2| {
@@ -177,7 +181,7 @@ impl Wheel<'_> {
         match (is_past_half(spoke), is_past_half(d)) {
             (false, true) => true,
             (true, false) => false,
-            _ => spoke.perp_dot(d) <= 0.0,
+            _ => spoke.perp_dot(d) < 0.0,
         }
     }
 

@@ -135,7 +135,7 @@ pub fn luminance(rgb: Rgb) -> f64 {
 
 /// The luminance as C's text before equation (12) has it: `X + Y + Z`.
 ///
-/// Luminance is `Y` alone; this sum counts a blue of 450 nm 55 times.
+/// Luminance is `Y` alone; this sum counts a blue of 450 nm 56 times.
 ///
 /// - Source: [C §1.7.5 C], an erratum.
 pub fn luminance_as_printed(xyz: Xyz) -> f64 {

@@ -5,6 +5,7 @@ mod support;
 
 mod architecture;
 mod certified;
+mod colour;
 mod figure;
 mod film;
 mod film_files;
