@@ -19,6 +19,8 @@ use std::fmt::Write;
 /// Every topic, chapter by chapter.
 pub const TOPICS: &[Topic] = &[
     colour::SRGB_TRANSFER,
+    colour::COLOUR_CONVERT,
+    colour::DOMINANT_WAVELENGTH,
     camera::PINHOLE,
     camera::LOOKAT,
     camera::ROTATIONS,

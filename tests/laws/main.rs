@@ -6,6 +6,7 @@ mod support;
 mod accel;
 mod architecture;
 mod certified;
+mod colour;
 mod csg;
 mod csg_files;
 mod figure;

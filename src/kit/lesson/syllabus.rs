@@ -122,6 +122,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &["accel"],
         builds_on: &[(4, "the watertight triangle"), (11, "meshes")],
     },
+    Entry {
+        number: 14,
+        name: "colour",
+        question: "What do three numbers keep of a colour, and what does each shortcut lose?",
+        chapter: "Light",
+        introduces: &[],
+        builds_on: &[(3, "a first picture: radiance in three channels")],
+    },
 ];
 
 impl Entry {
