@@ -11,8 +11,8 @@
 //! | 0 | [`num`], [`color`] | polynomial roots, rounding bounds, compensated sums, quadrature, statistics; colour spaces |
 //! | 1 | [`ray`], [`frame`], [`bounds`] | rays, hits, the trace hook; rotations and bases; boxes and spheres |
 //! | 2 | [`sample`], [`film`], [`measure`] | random numbers and warps; images and their metrics; cost and error of methods |
-//! | 3 | [`shape`] | one file per surface: where a ray meets it, and its solid's spans |
-//! | 4 | [`light`] | emission and its fall-off |
+//! | 3 | [`shape`], [`fresnel`] | one file per surface: where a ray meets it, and its solid's spans; what a boundary reflects |
+//! | 4 | [`bsdf`], [`light`] | reflection models: eval, sample, pdf, albedo; emission and its fall-off |
 //! | 5 | [`scene`] | camera, objects, materials |
 //! | 6 | [`scene_file`] | readers of the documents' formats |
 //! | 8 | [`integrator`] | each turns a ray into radiance |
@@ -23,10 +23,12 @@
 //! The table is law: `tests/laws/architecture.rs` reads it, and fails on an import that goes up or sideways.
 
 pub mod bounds;
+pub mod bsdf;
 pub mod color;
 pub mod command;
 pub mod film;
 pub mod frame;
+pub mod fresnel;
 pub mod integrator;
 pub mod kit;
 pub mod light;

@@ -5,6 +5,7 @@
 
 mod camera;
 mod colour;
+mod reflection;
 mod sphere_box;
 mod surface;
 mod torus;
@@ -29,6 +30,8 @@ pub const TOPICS: &[Topic] = &[
     surface::RAY_QUADRIC,
     torus::RAY_TORUS,
     torus::QUARTIC_ROOTS,
+    reflection::BRDF_VALUES,
+    reflection::BRDF_ALBEDO,
 ];
 
 /// A topic: one function of the library, or several methods for the same question.
