@@ -1,7 +1,7 @@
 //! Blinn's highlight: a power of the cosine between normal and half vector.
 
 use super::{
-    ALBEDO_TOLERANCE, Brdf, Directions, Geometry, ParameterError, Sampled, above, exponent, sin_theta,
+    ALBEDO_TOLERANCE, Brdf, Directions, Geometry, Half, ParameterError, Sampled, above, exponent, sin_theta,
 };
 use crate::num::quadrature::{Integral, integrate};
 use crate::sample::power_cosine;
@@ -23,7 +23,7 @@ pub enum BlinnScale {
 /// The lobe `f = C (n·h)ⁿ`.
 ///
 /// ```text
-/// (n·h)ⁿ = exp(½ n ln(1 − sin²θₕ))
+/// (n·h)ⁿ = exp(n ln cos θₕ),    ln cos θₕ = ½ ln(1 − sin²θₕ) near the normal
 /// ```
 ///
 /// - Domain: finite `n ≥ 0`; n = 0 is matt.
@@ -54,17 +54,17 @@ impl Blinn {
             BlinnScale::Raw => 1.0,
         }
     }
-    /// `(n·h)ⁿ` of `sin²θₕ`; 0⁰ is 1.
+    /// `(n·h)ⁿ`; 0⁰ is 1.
     #[inline]
-    fn power(&self, sin2_h: f64) -> f64 {
-        if self.exponent == 0.0 { 1.0 } else { (0.5 * self.exponent * (-sin2_h).ln_1p()).exp() }
+    fn power(&self, half: &Half) -> f64 {
+        if self.exponent == 0.0 { 1.0 } else { (self.exponent * half.log_cos_h()).exp() }
     }
 }
 
 impl Brdf for Blinn {
     #[inline]
     fn value<G: Geometry>(&self, g: &G) -> f64 {
-        self.factor() * self.power(g.half().sin2_h)
+        self.factor() * self.power(&g.half())
     }
     #[inline]
     fn sample(&self, wo: DVec3, u: DVec2) -> Option<Sampled> {
@@ -83,7 +83,7 @@ impl Brdf for Blinn {
             return 0.0;
         }
         let half = Directions { wi, wo }.half();
-        (self.exponent + 1.0) / TAU * self.power(half.sin2_h) / (4.0 * half.cos_d)
+        (self.exponent + 1.0) / TAU * self.power(&half) / (4.0 * half.cos_d)
     }
     /// In half vectors, `dω = 4 cos d dωₕ` and `cos θᵢ = 2 cos d cos θₕ − cos θₒ`, so that azimuths integrate in closed form.
     fn albedo(&self, wo: DVec3) -> Integral {

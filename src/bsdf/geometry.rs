@@ -7,7 +7,7 @@
 //! ```text
 //! vectors:  1 − cos a = |wi − mirror(wo)|²/2,    sin²d = |wi − wo|²/4,    sin²θₕ = |tangential part of wi + wo|² / (4 cos²d)
 //! angles:   1 − cos a = 2 sin²((θᵢ − θₒ)/2) + 2 sin θᵢ sin θₒ cos²(φ/2)
-//!           cos²d     =   cos²((θᵢ + θₒ)/2) + sin θᵢ sin θₒ cos²(φ/2)
+//!           cos²d     =   cos²((θᵢ + θₒ)/2) + sin θᵢ sin θₒ cos²(φ/2),    cos((θᵢ + θₒ)/2) = (cos θᵢ + cos θₒ) / (2 cos((θᵢ − θₒ)/2))
 //! ```
 //!
 //! `a` is the angle between `wi` and the mirror direction of `wo`, `θₕ` that of the half vector with the normal,
@@ -40,10 +40,10 @@ impl Half {
         Half { cos_h, sin2_h, cos_d: cos_d.min(1.0), versine_d: sin2_d / (1.0 + cos_d) }
     }
 
-    /// `tan²θₕ`; +∞ for a half vector in the horizon.
+    /// `ln cos θₕ`, from whichever of sine and cosine is small; −∞ in the horizon.
     #[inline]
-    pub fn tan2_h(&self) -> f64 {
-        self.sin2_h / (self.cos_h * self.cos_h)
+    pub fn log_cos_h(&self) -> f64 {
+        if self.sin2_h < 0.5 { 0.5 * (-self.sin2_h).ln_1p() } else { self.cos_h.ln() }
     }
 }
 
@@ -58,7 +58,15 @@ pub trait Geometry {
     fn theta_o(&self) -> f64;
     /// Cosine of the difference of azimuths; 0 where one of them is the normal.
     fn cos_phi(&self) -> f64;
-    /// `1 − cos a`, `a` the angle between `wi` and the mirror direction of `wo`.
+    /// Squared sine of that difference.
+    fn sin2_phi(&self) -> f64;
+    /// Cosine of the angle `a` between `wi` and the mirror direction of `wo`.
+    #[inline]
+    fn mirror_cosine(&self) -> f64 {
+        let p = self.product();
+        p.z - (p.x + p.y)
+    }
+    /// `1 − cos a`.
     fn mirror_versine(&self) -> f64;
     fn half(&self) -> Half;
     /// `wi` times `wo`, coordinate by coordinate.
@@ -101,6 +109,12 @@ impl Geometry for Directions {
     fn cos_phi(&self) -> f64 {
         let (i, o) = (self.wi.truncate().normalize_or_zero(), self.wo.truncate().normalize_or_zero());
         i.dot(o).clamp(-1.0, 1.0)
+    }
+    #[inline]
+    fn sin2_phi(&self) -> f64 {
+        let (i, o) = (self.wi.truncate().normalize_or_zero(), self.wo.truncate().normalize_or_zero());
+        let sin = i.perp_dot(o);
+        sin * sin
     }
     #[inline]
     fn mirror_versine(&self) -> f64 {
@@ -168,8 +182,11 @@ impl Angles {
         let both = self.sin_i * self.sin_o;
         (both * cos * cos, both * sin * sin)
     }
+    /// Sine of `(θᵢ − θₒ)/2`, cosine of `(θᵢ + θₒ)/2`: a sum of angles near 90° would be rounded to their digits, not
+    /// to those of what is missing.
     fn half_angles(&self) -> (f64, f64) {
-        (0.5 * (self.theta_i - self.theta_o), 0.5 * (self.theta_i + self.theta_o))
+        let (sin, cos) = (0.5 * (self.theta_i - self.theta_o)).sin_cos();
+        (sin, 0.5 * (self.cos_i + self.cos_o) / cos)
     }
 }
 
@@ -195,13 +212,16 @@ impl Geometry for Angles {
     fn cos_phi(&self) -> f64 {
         if self.sin_i * self.sin_o > 0.0 { self.phi.cos() } else { 0.0 }
     }
+    fn sin2_phi(&self) -> f64 {
+        let sin = self.phi.sin();
+        sin * sin
+    }
     fn mirror_versine(&self) -> f64 {
-        let s = self.half_angles().0.sin();
+        let s = self.half_angles().0;
         2.0 * (s * s + self.sines().0)
     }
     fn half(&self) -> Half {
-        let ((difference, mean), (along, across)) = (self.half_angles(), self.sines());
-        let (s, c) = (difference.sin(), mean.cos());
+        let ((s, c), (along, across)) = (self.half_angles(), self.sines());
         // sin θᵢ − sin θₒ = 2 cos((θᵢ + θₒ)/2) sin((θᵢ − θₒ)/2)
         let tangential2 = 4.0 * (c * s * c * s + along);
         Half::of(c * c + along, s * s + across, self.cos_i + self.cos_o, tangential2)

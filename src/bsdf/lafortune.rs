@@ -69,7 +69,7 @@ impl Brdf for Lafortune {
     fn pdf(&self, wi: DVec3, wo: DVec3) -> f64 {
         let Some((axis, _)) = self.axis(wo).filter(|_| above(wi, wo)) else { return 0.0 };
         let versine = 0.5 * (wi - axis).length_squared();
-        (self.exponent + 1.0) / TAU * super::phong::power(versine, self.exponent)
+        (self.exponent + 1.0) / TAU * super::phong::power(versine, || wi.dot(axis), self.exponent)
     }
     fn albedo(&self, wo: DVec3) -> Integral {
         let Some((axis, scale)) = self.axis(wo).filter(|_| wo.z > 0.0) else { return Integral::default() };

@@ -63,12 +63,19 @@ impl OrenNayar {
     fn full<G: Geometry>(&self, g: &G) -> f64 {
         let (ci, co, si, so) = (g.cos_i(), g.cos_o(), g.sin_i(), g.sin_o());
         let (ti, to) = (g.theta_i(), g.theta_o());
-        let (alpha, beta, cos_phi) = (ti.max(to), ti.min(to) * FRAC_2_PI, g.cos_phi());
-        let dip = if cos_phi < 0.0 { beta * beta * beta } else { 0.0 };
-        let c2 = self.b() * (si.max(so) - dip);
-        let c3 = 0.125 * self.saturated(0.09) * (alpha * FRAC_2_PI * beta) * (alpha * FRAC_2_PI * beta);
+        let (alpha, beta, cos_phi) = (ti.max(to) * FRAC_2_PI, ti.min(to) * FRAC_2_PI, g.cos_phi());
         let tan_beta = si.min(so) / ci.max(co);
-        let once = self.a() + cos_phi * c2 * tan_beta + (1.0 - cos_phi.abs()) * c3 * ((si + so) / (ci + co));
+        // sin α − (2β/π)³ is multiplied by tan β, so that near 90° it is put together from what is missing to 1.
+        let c2 = self.b()
+            * if cos_phi < 0.0 {
+                let lacks = ci.max(co).atan2(si.min(so)) * FRAC_2_PI;
+                lacks * (1.0 + beta + beta * beta) - ci.min(co) * ci.min(co) / (1.0 + si.max(so))
+            } else {
+                si.max(so)
+            };
+        let c3 = 0.125 * self.saturated(0.09) * (alpha * beta) * (alpha * beta);
+        let across = g.sin2_phi() / (1.0 + cos_phi.abs());
+        let once = self.a() + cos_phi * c2 * tan_beta + across * c3 * ((si + so) / (ci + co));
         let twice = 0.17 * self.rho * self.saturated(0.13) * (1.0 - cos_phi * beta * beta);
         self.rho * FRAC_1_PI * (once + twice)
     }

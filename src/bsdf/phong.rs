@@ -26,7 +26,7 @@ pub enum PhongScale {
 /// The lobe `f = C cosⁿ a`, `a` the angle between `wi` and the mirror direction of `wo`.
 ///
 /// ```text
-/// cosⁿ a = exp(n ln(1 − v)),    v = 1 − cos a
+/// cosⁿ a = exp(n ln(1 − v)),    v = 1 − cos a, near the mirror's direction
 /// ```
 ///
 /// - Domain: finite `n ≥ 0`; `a ≥ 90°` gives 0, also for n = 0.
@@ -60,7 +60,7 @@ impl Phong {
 impl Brdf for Phong {
     #[inline]
     fn value<G: Geometry>(&self, g: &G) -> f64 {
-        let f = self.factor() * power(g.mirror_versine(), self.exponent);
+        let f = self.factor() * lobe(g, self.exponent);
         if self.scale == PhongScale::OverCosine { f / g.cos_i() } else { f }
     }
     #[inline]
@@ -78,7 +78,7 @@ impl Brdf for Phong {
         if !above(wi, wo) {
             return 0.0;
         }
-        (self.exponent + 1.0) / TAU * power(super::Directions { wi, wo }.mirror_versine(), self.exponent)
+        (self.exponent + 1.0) / TAU * lobe(&super::Directions { wi, wo }, self.exponent)
     }
     fn albedo(&self, wo: DVec3) -> Integral {
         if wo.z <= 0.0 {
@@ -102,10 +102,22 @@ impl Brdf for Phong {
     }
 }
 
-/// `cosⁿ a` of `v = 1 − cos a`; 0 from 90° on.
+/// `cosⁿ a`; 0 from 90° on.
 #[inline]
-pub(super) fn power(versine: f64, n: f64) -> f64 {
-    if versine >= 1.0 { 0.0 } else { (n * (-versine).ln_1p()).exp() }
+fn lobe<G: Geometry>(g: &G, n: f64) -> f64 {
+    power(g.mirror_versine(), || g.mirror_cosine(), n)
+}
+
+/// `cosⁿ a`, from `1 − cos a` where that is small, else from the cosine; 0 from 90° on.
+#[inline]
+pub(super) fn power(versine: f64, cos: impl Fn() -> f64, n: f64) -> f64 {
+    if versine < 0.5 {
+        return (n * (-versine).ln_1p()).exp();
+    }
+    match cos() {
+        cos if cos <= 0.0 => 0.0,
+        cos => (n * cos.ln()).exp(),
+    }
 }
 
 /// The direction `w`, given about `z`, about `axis`.

@@ -4,18 +4,21 @@
 mod support;
 
 mod architecture;
+mod brdf;
 mod certified;
 mod figure;
 mod film;
 mod film_files;
 mod flat;
 mod frame;
+mod fresnel;
 mod lessons;
 mod local;
 mod measure;
 mod num;
 mod pinhole;
 mod polyhedron;
+mod quadrature;
 mod quadrics;
 mod sample;
 mod scene_file;

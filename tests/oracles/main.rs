@@ -5,6 +5,7 @@ mod support;
 
 mod film;
 mod pinhole;
+mod reflection;
 mod sample;
 mod sphere;
 mod statistics;

@@ -55,21 +55,22 @@ impl Distribution {
         }
     }
 
-    /// Share of the facets that are tilted less than `tan2`.
-    pub fn share_under(self, roughness: f64, tan2: f64) -> f64 {
+    /// Share of the facets that are tilted more than `tan2`.
+    pub(super) fn share_beyond(self, roughness: f64, tan2: f64) -> f64 {
         let x = tan2 / roughness / roughness;
         match self {
-            _ if x == f64::INFINITY => 1.0,
-            Distribution::Beckmann => -(-x).exp_m1(),
-            Distribution::Ggx => x / (1.0 + x),
+            Distribution::Beckmann => (-x).exp(),
+            Distribution::Ggx => 1.0 / (1.0 + x),
         }
     }
 
-    /// Cosine and sine of the tilt under which the share `q` is tilted; `None` at the horizon.
-    #[inline]
-    pub(super) fn tilt(self, roughness: f64, q: f64) -> Option<(f64, f64)> {
-        let tan2 = self.tan2(roughness, q);
-        tan2.is_finite().then(|| ((1.0 + tan2).sqrt().recip(), (tan2 / (1.0 + tan2)).sqrt()))
+    /// Cosine and sine of the tilt that the share `r` of the facets exceeds; `None` at the horizon.
+    pub(super) fn tilt_exceeded_by(self, roughness: f64, r: f64) -> Option<(f64, f64)> {
+        let m2 = roughness * roughness;
+        tilt(match self {
+            Distribution::Beckmann => -m2 * r.ln(),
+            Distribution::Ggx => m2 * ((1.0 - r) / r),
+        })
     }
 
     /// A half vector with density `D cos θₕ`.
@@ -78,10 +79,17 @@ impl Distribution {
     #[inline]
     pub(super) fn sample(self, roughness: f64, u: DVec2) -> DVec3 {
         // u_x ends before 1, so that the tangent is finite.
-        let (cos, sin) = self.tilt(roughness, u.x).unwrap_or((0.0, 1.0));
+        let (cos, sin) = tilt(self.tan2(roughness, u.x)).unwrap_or((0.0, 1.0));
         let (sin_phi, cos_phi) = (TAU * u.y).sin_cos();
         DVec3::new(sin * cos_phi, sin * sin_phi, cos)
     }
+}
+
+/// Cosine and sine of a tilt; `None` at the horizon.
+#[inline]
+fn tilt(tan2: f64) -> Option<(f64, f64)> {
+    let found = ((1.0 + tan2).sqrt().recip(), (tan2 / (1.0 + tan2)).sqrt());
+    tan2.is_finite().then_some(found)
 }
 
 /// A half vector among the facets of GGX that are seen from `wo`, with density `G₁ cos d D / cos θₒ`.

@@ -201,7 +201,8 @@ impl Brdf for CookTorrance {
         self.density(&Directions { wi, wo }.half(), wo.z, sin_theta(wo))
     }
 
-    /// Over the half vectors: `q`, the share of facets tilted less, spreads the rings evenly whatever the roughness.
+    /// Over the half vectors: `p⁴` is the share of facets tilted more, which spreads the rings evenly whatever the
+    /// roughness, and shows the few steep ones that are hidden as well.
     fn albedo(&self, wo: DVec3) -> Integral {
         let (co, so) = (wo.z, sin_theta(wo));
         if co <= 0.0 {
@@ -211,16 +212,17 @@ impl Brdf for CookTorrance {
             return Integral::exact(self.fresnel.reflectance(co, (1.0 - co).max(0.0)));
         }
         let worst_ring = Cell::new(0.0f64);
-        let over = |q: f64| {
-            let Some(h) = self.distribution.tilt(self.roughness, q).filter(|h| h.0 > 0.0) else { return 0.0 };
+        let over = |p: f64| {
+            let tilt = self.distribution.tilt_exceeded_by(self.roughness, p * p * p * p);
+            let Some(h) = tilt.filter(|h| h.0 > 0.0) else { return 0.0 };
             let ring = self.ring(h, co, so);
             worst_ring.set(worst_ring.get().max(ring.error));
-            ring.value
+            4.0 * p * p * p * ring.value
         };
         // Facets at (90° − θₒ)/2 first reflect into the horizon, those at (90° + θₒ)/2 all do.
-        let at = |tan2: f64| self.distribution.share_under(self.roughness, tan2);
+        let at = |tan2: f64| self.distribution.share_beyond(self.roughness, tan2).sqrt().sqrt();
         let breaks =
-            [0.0, at((1.0 - so) / (1.0 + so)), at((1.0 + so) / (1.0 - so).max(f64::MIN_POSITIVE)), 1.0];
+            [0.0, at((1.0 + so) / (1.0 - so).max(f64::MIN_POSITIVE)), at((1.0 - so) / (1.0 + so)), 1.0];
         let all = integrate(over, &breaks, TOLERANCE);
         Integral { value: all.value, error: all.error + worst_ring.get() }
     }

@@ -96,5 +96,5 @@ fn beckmann_rational(roughness: f64, cos: f64, sin: f64) -> f64 {
         return 0.0;
     }
     // (1 − 1.259 a + 0.396 a²)/(3.535 a + 2.181 a²), times cos = a · slope
-    slope * (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 + 2.181 * a)
+    (slope * (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 + 2.181 * a)).max(0.0)
 }
