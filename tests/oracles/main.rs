@@ -7,6 +7,7 @@ mod colour;
 mod film;
 mod julia;
 mod pinhole;
+mod reflection;
 mod sample;
 mod sphere;
 mod statistics;

@@ -130,6 +130,14 @@ pub const SYLLABUS: &[Entry] = &[
         introduces: &[],
         builds_on: &[(3, "a first picture: radiance in three channels")],
     },
+    Entry {
+        number: 16,
+        name: "reflection_models",
+        question: "Which reflection models create or lose light, where, and what does the exact one cost?",
+        chapter: "Light and matter",
+        introduces: &["bsdf", "fresnel"],
+        builds_on: &[(3, "a light, a shadow and a first picture")],
+    },
 ];
 
 impl Entry {
