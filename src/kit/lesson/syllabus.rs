@@ -97,7 +97,6 @@ pub const SYLLABUS: &[Entry] = &[
             (8, "rays that march"),
         ],
     },
-    },
     Entry {
         number: 10,
         name: "csg",
