@@ -74,7 +74,7 @@ fn walk(julia: &Julia, ray: &Ray, most: usize) -> (Diagram, Vec<Look>) {
         diagram = diagram.polygon(&outline);
     }
     let flat = |along: f64| ray.at(along).truncate();
-    for look in looks.iter().take(most).filter(|look| look.distance > 0.02) {
+    for look in looks.iter().take(most).filter(|look| look.distance > 0.01) {
         let circle: Vec<DVec2> = (0..=72)
             .map(|i| flat(look.along) + look.distance * DVec2::from_angle(TAU * f64::from(i) / 72.0))
             .collect();
@@ -86,16 +86,16 @@ fn walk(julia: &Julia, ray: &Ray, most: usize) -> (Diagram, Vec<Look>) {
 /// [A ill. 60].
 pub fn approach() -> Result<Figure> {
     let julia = julia(1e-3)?;
-    let origin = DVec3::new(-1.75, 1.25, 0.0);
-    let ray = Ray::new(origin, (DVec3::new(0.35, -0.2, 0.0) - origin).normalize());
+    let origin = DVec3::new(-0.2, 1.9, 0.0);
+    let ray = Ray::new(origin, (DVec3::new(1.0, -0.3, 0.0) - origin).normalize());
     let (mut diagram, looks) = walk(&julia, &ray, 12);
     let flat = |along: f64| ray.at(along).truncate();
     let end = looks.last().map_or(0.0, |look| look.along);
     diagram = diagram.ray(Light::Incident, flat(0.0), flat(end)).point(flat(0.0)).name("o");
-    for (i, look) in looks.iter().enumerate().skip(1).take(7) {
+    for (i, look) in looks.iter().enumerate().skip(1).take(12) {
         let light = if look.distance == 0.0 { Light::Reflected } else { Light::Transmitted };
         diagram = diagram.spot(light, flat(look.along));
-        if i <= 3 {
+        if i <= 4 {
             diagram = diagram.name(&format!("{i}"));
         }
     }
@@ -117,7 +117,7 @@ pub fn approach() -> Result<Figure> {
 /// The same march from farther away.
 pub fn thrown_past() -> Result<Figure> {
     let julia = julia(1e-3)?;
-    let ray = Ray::new(DVec3::new(-7.5, 0.5, 0.0), DVec3::X);
+    let ray = Ray::new(DVec3::new(-11.0, 0.5, 0.0), DVec3::X);
     let (mut diagram, looks) = walk(&julia, &ray, 1);
     let flat = |along: f64| ray.at(along).truncate();
     let first = looks.first().map_or(0.0, |look| look.distance);
@@ -137,5 +137,5 @@ pub fn thrown_past() -> Result<Figure> {
             short(first)
         ))
         .alt("A ray whose first step, a large circle about its origin, ends beyond the body: the body lies inside the circle.");
-    Ok(Figure::from(diagram).caption("The printed march from 7.5 units away: there the estimate is longer than the way to the set and through it."))
+    Ok(Figure::from(diagram).caption("The printed march from 11 units away: there the estimate is longer than the way to the set and through it."))
 }

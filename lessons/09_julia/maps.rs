@@ -78,7 +78,7 @@ pub fn overshoot(lesson: &Lesson) -> Result<Overshoot> {
 /// The printed estimate after exactly N steps, without a bailout, against the one that stops at 100.
 pub fn overflow<R: Real>(lesson: &Lesson, name: &str) -> Figure {
     let size = lesson.pick([(10, 8), (40, 30), (80, 60), (120, 90)]);
-    let steps = Axis::linear("steps").range(0.0, 24.0);
+    let steps = Axis::linear("steps").range(0.0, 16.0);
     let far = Axis::log("distance of the place from the middle, m").range(0.8, 1e3);
     let map = FailureMap::new(steps, far, "relative change of the estimate", size, |n, distance| {
         let q = DVec4::new(0.6, 0.48, 0.64, 0.0) * distance;
@@ -94,6 +94,6 @@ pub fn overflow<R: Real>(lesson: &Lesson, name: &str) -> Figure {
     );
     Figure::from(map).caption(&format!(
         "Where squares overflow if nothing stops an orbit that has left, in {name}: |q| and |q'| are infinite and their quotient is no number. \
-         With a bailout no such square is ever formed."
+         With a bailout no such square is ever formed. Darkest: the orbit stays within 100, and both are the same."
     ))
 }

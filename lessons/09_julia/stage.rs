@@ -34,8 +34,8 @@ fn wrong(e: &dyn std::fmt::Display) -> LessonError {
 /// The set over a floor, under a lamp of 3 m × 3 m.
 fn scene(model: &Model) -> Result<Scene> {
     let target = dvec3(0.0, model.height - 0.12, 0.0);
-    let eye = target + dvec3(1.7, 1.25, 4.6);
-    let camera = Camera::new(eye, target, DVec3::Y, FieldOfView::Vertical(0.62)).map_err(|e| wrong(&e))?;
+    let eye = target + dvec3(1.5, 2.2, 4.3);
+    let camera = Camera::new(eye, target, DVec3::Y, FieldOfView::Vertical(0.58)).map_err(|e| wrong(&e))?;
     let mut scene = Scene::new(camera);
     let paint = |diffuse| Material { diffuse, specular: DVec3::ZERO, ..Default::default() };
     scene.materials = vec![paint(dvec3(0.72, 0.70, 0.66)), paint(model.color)];
@@ -46,7 +46,7 @@ fn scene(model: &Model) -> Result<Scene> {
     let raised = DAffine3::from_translation(DVec3::Y * model.height);
     let set = Instance::new(Box::new(julia), raised).map_err(|e| wrong(&e))?;
     scene.objects.push(Object::new("set", Box::new(set), 1));
-    let place = dvec3(-4.2, 8.0, 5.2);
+    let place = dvec3(4.6, 7.0, 3.6);
     let size = dvec2(3.0, 3.0);
     let lamp = AreaLight::new(place, target - place, 0.0, size, DVec3::splat(0.95), Falloff::None);
     scene.lights.push(Light::Area(lamp.map_err(|e| wrong(&e))?.subdivided(3, 3, Placement::Jittered)));
@@ -69,7 +69,7 @@ pub fn set(lesson: &Lesson) -> Result {
         "set",
         &render(&scene(&model)?, &Local::default(), picture).image,
         "The quaternion Julia set of c = −0.2 + 0.6 i + 0.2 j + 0.2 k after ten steps, in its own shadow (after A, illustration 16).",
-        "An ochre body of twisted arms and knobs, each a smaller copy of the whole, over a pale floor, with soft shadows on itself.",
+        "An ochre body of folded lobes and a knob that repeats the whole, over a pale floor, with soft shadows on itself.",
     )
 }
 
@@ -85,20 +85,22 @@ pub fn sets(lesson: &Lesson) -> Result {
         ("−0.125 − 0.256 i + 0.847 j + 0.0895 k", DVec4::new(-0.125, -0.256, 0.847, 0.0895), VIOLET),
         ("−1 + 0.2 i", DVec4::new(-1.0, 0.2, 0.0, 0.0), TEAL),
         ("−0.291 − 0.399 i + 0.339 j + 0.437 k", DVec4::new(-0.291, -0.399, 0.339, 0.437), RED),
+        ("0.185 + 0.478 i + 0.125 j − 0.392 k", DVec4::new(0.185, 0.478, 0.125, -0.392), VIOLET),
+        ("−0.213 − 0.041 i − 0.563 j − 0.56 k", DVec4::new(-0.213, -0.041, -0.563, -0.56), TEAL),
         ("−0.45 − 0.447 i + 0.181 j + 0.306 k", DVec4::new(-0.45, -0.447, 0.181, 0.306), OCHRE),
     ];
     let models = quaternions.map(|(name, c, color)| {
         (Model { c, iterations: 9, w: 0.0, height: 1.05, color }, format!("c = {name}"))
     });
     let shown = Panels::new()
-        .columns(2)
-        .title("One rule, four sets: only the quaternion that is added differs")
+        .columns(3)
+        .title("One rule, six sets: only the quaternion that is added differs")
         .subtitle("q² + c nine times, |q| ≤ 2; shadow rays meet the set that they leave")
         .alt(
-            "Four bodies of knobs within knobs: a spiral, a string of beads, a twisted ribbon and a cluster.",
+            "Six bodies with lobes within lobes: a pierced shell, a string of beads, and four folded lumps.",
         );
     let figure = Figure::from(panels(lesson, &models, shown)?)
-        .caption("Four quaternion Julia sets, each lit by a square lamp and throwing shadows on itself (after A, illustration 16).");
+        .caption("Six quaternion Julia sets, each lit by a square lamp and throwing shadows on itself (after A, illustration 16).");
     lesson.save("sets", figure)
 }
 
@@ -108,9 +110,9 @@ pub fn steps(lesson: &Lesson) -> Result {
     });
     let shown = Panels::new()
         .columns(3)
-        .title("Each step doubles the detail, and little of the volume is left to lose")
+        .title("Each step doubles the degree, and folds the surface once more")
         .subtitle("q² + c, c = −0.2 + 0.6 i + 0.2 j + 0.2 k; the points with |q| ≤ 2 after 2 to 12 steps")
-        .alt("Six stages from a smooth lump to a body of knobs within knobs.");
+        .alt("Six stages from a smooth lump to a body of lobes within lobes.");
     let figure = Figure::from(panels(lesson, &models, shown)?).caption(
         "The same set after 2, 3, 4, 6, 8 and 12 steps. A surface of N steps is a polynomial of degree 2ᴺ⁺¹ along a ray: 8192 for the last.",
     );
@@ -130,7 +132,7 @@ pub fn slices(lesson: &Lesson) -> Result {
         .subtitle(
             "the points x + y i + z j + w k with the same w; ten steps, c = −0.2 + 0.6 i + 0.2 j + 0.2 k",
         )
-        .alt("Six slices of the set: they shrink and fall apart as w grows.");
+        .alt("Six slices of the set: they shrink as w grows, and lose their knobs.");
     let figure = Figure::from(panels(lesson, &models, shown)?)
         .caption("Six slices through the fourth coordinate w of one set.");
     lesson.save("slices", figure)

@@ -170,7 +170,7 @@ pub const OBJECTS: &[Rule] = &[
                 "c0 c1 c2 c3",
                 Kind::Numbers { count: 4, domain: ANY },
                 Default::Numbers(&[-0.2, 0.6, 0.2, 0.2]),
-                "the quaternion that is added, its factors of 1, i, j and k; its length is at most 4",
+                "the quaternion that is added, its factors of 1, i, j and k; its length is at most 100",
             ),
             Param::new(
                 "Iterations",
@@ -191,7 +191,7 @@ pub const OBJECTS: &[Rule] = &[
                 "length",
                 number(Domain::Positive),
                 Default::Numbers(&[2.0]),
-                "what counts as far; at most 10⁶",
+                "what counts as far; at most 10⁶⁰",
             ),
             Param::new(
                 "W",

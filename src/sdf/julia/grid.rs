@@ -105,32 +105,61 @@ impl Grid {
         }
     }
 
-    /// Where the line next enters a cell that may hold something, from `s` on; `end` if there is none before.
+    /// A line in cells.
     #[inline(always)]
-    pub fn skip(&self, middle: DVec3, direction: DVec3, inverse: DVec3, mut s: f64, end: f64) -> f64 {
+    pub fn path(&self, middle: DVec3, direction: DVec3) -> Path {
+        let axis = |middle: f64, direction: f64| {
+            let (start, speed) = ((middle + self.half) * self.per_cell, direction * self.per_cell);
+            // A line along an axis never leaves a cell across it; 1/speed is a number from 10⁻³⁰⁰ on.
+            let still = speed.abs() < 1.0e-300;
+            let (to_middle, per_cell) =
+                if still { (f64::INFINITY, 0.0) } else { ((0.5 - start) / speed, 1.0 / speed) };
+            PathAxis { start, speed, to_middle, per_cell }
+        };
+        Path { axes: [axis(middle.x, direction.x), axis(middle.y, direction.y), axis(middle.z, direction.z)] }
+    }
+
+    /// Where the line next enters a cell that may hold something, from `s` on; `end` if there is none before.
+    ///
+    /// A cell at distance `n` is the middle of a cube of `2n − 1` empty ones along each edge, and the line leaves that next.
+    #[inline(always)]
+    pub fn skip(&self, path: &Path, mut s: f64, end: f64) -> f64 {
         let nudge = self.cell * 0.5 * (MARGIN - 1.0);
+        let last = SIDE as i32 - 1;
         while s < end {
-            let p = (middle + direction * s + self.half) * self.per_cell;
-            // Conversions saturate: what lies outside the cube is looked at in its nearest cell.
-            let [x, y, z] = [p.x, p.y, p.z].map(|x| (x as usize).min(SIDE - 1));
-            let distance = self.distance[index(x, y, z)];
+            // What lies outside the grid is looked at in its nearest cell.
+            let [x, y, z] = path.axes.map(|a| ((a.start + a.speed * s) as i32).clamp(0, last));
+            let distance = self.distance[index(x as usize, y as usize, z as usize)];
             if distance == 0 {
                 return s;
             }
-            let reach = f64::from(distance);
-            let face = |i: usize, middle: f64, inverse: f64| {
-                let face = if inverse < 0.0 { i as f64 + 1.0 - reach } else { i as f64 + reach };
-                (face * self.cell - self.half - middle) * inverse
-            };
-            let (tx, ty, tz) =
-                (face(x, middle.x, inverse.x), face(y, middle.y, inverse.y), face(z, middle.z, inverse.z));
-            // A line along a face gives 0·∞ = NaN there, which no comparison takes.
+            let reach = f64::from(distance) - 0.5;
+            let leave =
+                |a: &PathAxis, i: i32| a.to_middle + f64::from(i) * a.per_cell + reach * a.per_cell.abs();
+            let [a, b, c] = &path.axes;
+            let (tx, ty, tz) = (leave(a, x), leave(b, y), leave(c, z));
             let t = if tx < ty { tx } else { ty };
             let t = if tz < t { tz } else { t };
-            s = if t > s { t + nudge } else { s + nudge };
+            s = if t > s { t } else { s } + nudge;
         }
         end
     }
+}
+
+/// A line in cells, axis by axis.
+#[derive(Clone, Copy)]
+pub(super) struct Path {
+    axes: [PathAxis; 3],
+}
+
+#[derive(Clone, Copy)]
+struct PathAxis {
+    /// Cells at `s = 0`, and per unit of `s`.
+    start: f64,
+    speed: f64,
+    /// `s` at the middle of cell 0, and per cell.
+    to_middle: f64,
+    per_cell: f64,
 }
 
 impl Survey<'_> {

@@ -81,11 +81,11 @@ impl Search<'_> {
     pub fn run<V: Lanes>(&self, from: f64, end: f64, fresh: bool) -> Found {
         let window = WINDOW * self.grid.cell();
         let grain = self.grain();
+        let path = self.grid.path(self.line.middle, self.line.direction);
         let mut front = Front { clear: from, width: window, end, root: None, away: false, fresh };
         for _ in 0..MOST_LOOKS {
             if front.root.is_none() && !self.inside && !front.fresh {
-                let line = self.line;
-                let next = self.grid.skip(line.middle, line.direction, line.inverse, front.clear, end);
+                let next = self.grid.skip(&path, front.clear, end);
                 if next > front.clear {
                     (front.clear, front.width, front.away) = (next, window, false);
                 }

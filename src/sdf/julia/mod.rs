@@ -42,12 +42,13 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// Most steps of the iteration: `β²` of [`reach`] stays below 2·10¹⁴².
+/// Most steps of the iteration.
 pub const MOST_ITERATIONS: u32 = 100;
-/// Largest `|c|`: beyond 2 the endless iteration leaves nothing but dust.
-pub const LARGEST_C: f64 = 4.0;
-/// Largest bailout: squares and their derivatives stay finite.
-pub const LARGEST_BAILOUT: f64 = 1.0e6;
+/// Largest `|c|`: what stays lies within 10.6 of the origin, and `β²` of [`reach`] stays below (21.1)²⁰⁰ = 10²⁶⁵. (Beyond 2 the
+/// endless iteration leaves nothing but dust.)
+pub const LARGEST_C: f64 = 100.0;
+/// Largest bailout: what may still come back is shorter than 1.4·10³⁰, its square squared still a number.
+pub const LARGEST_BAILOUT: f64 = 1.0e60;
 
 /// The solid of points whose orbit has not left after `N` steps.
 #[derive(Clone)]
@@ -71,13 +72,13 @@ impl Julia {
     pub fn new(c: DVec4, iterations: u32, bailout: f64, w: f64) -> Result<Self, ShapeError> {
         let range = |what, allowed, found| Err(ShapeError::OutOfRange { what, allowed, found });
         if !(c.length() <= LARGEST_C) {
-            return range("c of a Julia set", "a length of at most 4", c.length());
+            return range("c of a Julia set", "a length of at most 100", c.length());
         }
         if iterations > MOST_ITERATIONS {
             return range("iterations of a Julia set", "at most 100", f64::from(iterations));
         }
         if !(bailout > 0.0 && bailout <= LARGEST_BAILOUT) {
-            return range("bailout of a Julia set", "a number above 0, at most 10⁶", bailout);
+            return range("bailout of a Julia set", "a number above 0, at most 10⁶⁰", bailout);
         }
         if !w.is_finite() {
             return Err(ShapeError::NotFinite { what: "w of a Julia set", found: w });
@@ -278,7 +279,7 @@ impl Shape for Julia {
         let Some(line) = Line::new(&self.set, ray, self.grid.radius) else { return };
         self.walk(&line, [line.s(0.0), f64::INFINITY], Ask::First, |s, _| {
             let t = line.t(s);
-            if t > 0.0 {
+            if t > 0.0 && t < f64::INFINITY {
                 out.push(Crossing::new(t, 0));
             }
             ControlFlow::Continue(())

@@ -31,6 +31,10 @@ use super::lanes::{LANES, Lanes, Plain};
 use super::set::{Reduced, Set};
 use glam::DVec3;
 
+/// Least `4 α²` that counts, so that the products of a hundred steps stay numbers: `β² ≥ LEAST¹⁰⁰ = 10⁻²⁷¹`. A larger `α` makes all
+/// bounds shorter, hence still right: by 1/4000 a step where `α` = 1.
+const LEAST: f64 = 1.0 / 512.0;
+
 /// Points and directions of four places: what the iteration starts with, in the coordinates of [`Set`].
 #[derive(Clone, Copy)]
 pub(super) struct Start<V> {
@@ -60,6 +64,7 @@ pub(super) struct Iterates<V> {
 pub(super) fn iterate<V: Lanes>(set: &Set, start: Start<V>) -> Iterates<V> {
     let Start { mut a, mut u, mut p, mut da, mut du, mut hp } = start;
     let (two, four, c0, k) = (V::splat(2.0), V::splat(4.0), V::splat(set.c0), V::splat(set.k));
+    let least = V::splat(LEAST);
     let (mut beta, mut kappa) = (V::splat(1.0), V::splat(0.0));
     let zero = V::splat(0.0);
     let mut out = Iterates { n: zero, half_dn: zero, beta, kappa, threshold: zero };
@@ -81,7 +86,7 @@ pub(super) fn iterate<V: Lanes>(set: &Set, start: Start<V>) -> Iterates<V> {
                 break;
             }
         }
-        let twice = (four * n).sqrt();
+        let twice = (four * n + least).sqrt();
         kappa = beta * beta + twice * kappa;
         beta = twice * beta;
         let ta = a + a;
@@ -143,8 +148,9 @@ pub(super) fn stretches<V: Lanes>(set: &Set, start: Start<V>) -> Stretches {
         back = solve(gap, zero - slope, kappa, l);
         ahead = solve(gap, slope, kappa, l);
         let ball = ball(gap, it.beta, l);
-        back = outside.pick(back, ball.above(back).pick(ball, back));
-        ahead = outside.pick(ahead, ball.above(ahead).pick(ball, ahead));
+        // Where α vanishes, (4) gives no number, and the ball stands.
+        back = outside.pick(back, back.above(ball).pick(back, ball));
+        ahead = outside.pick(ahead, ahead.above(ball).pick(ahead, ball));
     } else {
         back = solve(gap, zero - delta, it.kappa, l);
         ahead = solve(gap, delta, it.kappa, l);

@@ -90,11 +90,12 @@ impl Set {
         self.levels.len() as u32 - 1
     }
 
-    /// Radius of the ball about the origin of space that holds the solid; `None` if the slice passes it by.
+    /// Radius of a ball about the origin of space that holds the solid, a millionth beyond it, so that a line is outside where it
+    /// enters and leaves; `None` if the slice passes the solid by.
     pub fn radius(&self) -> Option<f64> {
         let r = self.levels[0].threshold;
         let r2 = (r - self.w) * (r + self.w);
-        (r2 > 0.0).then(|| r2.sqrt() * (1.0 + 4.0 * U))
+        (r2 > 0.0).then(|| r2.sqrt() * (1.0 + 1.0 / (1 << 20) as f64))
     }
 
     /// A point of space in the coordinates (1); a direction with `w` = 0.
