@@ -67,7 +67,15 @@ pub(super) const JULIA_DISTANCE: Topic = Topic {
         ("f64", "the same with 53 bits"),
         ("as_printed", "Hart's estimate, with bailout 100: too long far away"),
     ],
-    inputs: &[("c0", ""), ("c1", ""), ("c2", ""), ("c3", ""), ("px", "length"), ("py", "length"), ("pz", "length")],
+    inputs: &[
+        ("c0", ""),
+        ("c1", ""),
+        ("c2", ""),
+        ("c3", ""),
+        ("px", "length"),
+        ("py", "length"),
+        ("pz", "length"),
+    ],
     outputs: &[("safe_step", "length")],
     answer: julia_distance,
 };

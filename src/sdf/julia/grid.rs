@@ -117,11 +117,8 @@ impl Grid {
                 let face = if inverse < 0.0 { i as f64 + 1.0 - reach } else { i as f64 + reach };
                 (face * self.cell - self.half - middle) * inverse
             };
-            let (tx, ty, tz) = (
-                face(x, middle.x, inverse.x),
-                face(y, middle.y, inverse.y),
-                face(z, middle.z, inverse.z),
-            );
+            let (tx, ty, tz) =
+                (face(x, middle.x, inverse.x), face(y, middle.y, inverse.y), face(z, middle.z, inverse.z));
             // A line along a face gives 0·∞ = NaN there, which no comparison takes.
             let t = if tx < ty { tx } else { ty };
             let t = if tz < t { tz } else { t };
@@ -179,7 +176,8 @@ impl Survey<'_> {
 /// Carries distances forwards, by one step for each of the neighbours that come before; there and back is all of them.
 fn sweep(d: &mut [u8]) {
     let mut best = [0; PADDED];
-    for row in (1..PADDED * PADDED - 1).filter(|row| (1..=SIDE).contains(&(row % PADDED)) && row / PADDED > 0) {
+    for row in (1..PADDED * PADDED - 1).filter(|row| (1..=SIDE).contains(&(row % PADDED)) && row / PADDED > 0)
+    {
         let (before, here) = d.split_at_mut(row * PADDED);
         let near = |back: usize| &before[before.len() - back * PADDED..][..PADDED];
         let rows = [near(1), near(PADDED - 1), near(PADDED), near(PADDED + 1)];

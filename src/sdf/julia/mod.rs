@@ -158,8 +158,7 @@ impl Julia {
         let Julia { set, grid, .. } = self;
         let mut search = Search { set, grid, line, inside: false, ask };
         // Before the ball a ray is outside.
-        let (mut from, mut fresh) =
-            if from > line.enter { (from, true) } else { (line.enter, false) };
+        let (mut from, mut fresh) = if from > line.enter { (from, true) } else { (line.enter, false) };
         let end = end.min(line.leave);
         loop {
             match self.search(&search, from, end, fresh) {
@@ -285,7 +284,8 @@ impl Shape for Julia {
         Hit {
             t: crossing.t,
             point,
-            point_error: (if error < self.radius() { error } else { self.radius() }) + gamma(4) * point.length(),
+            point_error: (if error < self.radius() { error } else { self.radius() })
+                + gamma(4) * point.length(),
             ng: n,
             n,
             tangent: perpendicular_part(DVec3::new(n.z, 0.0, -n.x), n),
