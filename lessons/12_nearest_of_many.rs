@@ -61,10 +61,10 @@ fn main() -> Result {
     lesson.save("threshold_cubes", threshold::cubes(&table))?;
     lesson.save("threshold", threshold::time(&table))?;
     lesson.save("share", share::figure(lesson.pick([8, 64, 96, 128])))?;
-    lesson.save("printed_search", hostile::printed_search(seed))?;
+    lesson.save("printed_search", hostile::printed_search(seed, lesson.pick([50, 400, 2000, 10_000])))?;
     let slabs = hostile::slabs(seed, lesson.pick([500, 5_000, 50_000, 500_000]));
     lesson.save("slabs", hostile::table(&slabs))?;
-    lesson.save("failures", hostile::map(seed, lesson.pick([16, 48, 72, 96])))?;
+    lesson.save("failures", hostile::map(seed, lesson.pick([(12, 16), (48, 256), (72, 256), (96, 512)])))?;
     pictures::save(&lesson)?;
 
     // 4. What the figures show, checked.

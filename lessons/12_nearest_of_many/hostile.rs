@@ -149,8 +149,7 @@ pub fn table(slabs: &[Hostile]) -> Figure {
 }
 
 /// Share of hits that a slab test loses, over the distance of the origin and that of the hit from the box's corner.
-pub fn map(seed: u64, side: usize) -> Figure {
-    const TRIES: u32 = 256;
+pub fn map(seed: u64, (side, tries): (usize, u32)) -> Figure {
     let mut ours = 0;
     let map = FailureMap::new(
         Axis::log("distance of the ray's origin, in sizes of the triangle").range(1.0, 1.0e16),
@@ -159,7 +158,7 @@ pub fn map(seed: u64, side: usize) -> Figure {
         (side, side),
         |distance, inside| {
             let (mut lost, mut asked) = (0, 0);
-            for k in 0..TRIES {
+            for k in 0..tries {
                 let mut s = Sampler::new(seed, distance.to_bits() ^ inside.to_bits().rotate_left(9), k);
                 let (ray, corners) = to_a_corner(&mut s, distance, inside);
                 if PreparedRay::new(&ray).meet(corners).is_some_and(|m| m.t > 0.0) {
@@ -183,7 +182,7 @@ pub fn map(seed: u64, side: usize) -> Figure {
             100.0 * share
         ))
         .subtitle(&format!(
-            "slab test without widening on the box of a triangle; {TRIES} rays a cell, of which those count that the watertight test meets"
+            "slab test without widening on the box of a triangle; {tries} rays a cell, of which those count that the watertight test meets"
         )),
     )
     .caption(
@@ -193,8 +192,7 @@ pub fn map(seed: u64, side: usize) -> Figure {
 }
 
 /// A's printed search over the size of the scene: how often it returns the wrong sphere.
-pub fn printed_search(seed: u64) -> Figure {
-    const RAYS: u32 = 400;
+pub fn printed_search(seed: u64, rays: u32) -> Figure {
     let mut wrong = Vec::new();
     for k in 0..=20 {
         let size = 10f64.powf(-10.0 + f64::from(k) * 0.5);
@@ -215,8 +213,8 @@ pub fn printed_search(seed: u64) -> Figure {
             let truth = all.clone().filter_map(|i| Some((i, t(i, &ray)?))).min_by(|a, b| a.1.total_cmp(&b.1));
             as_printed_nearest(all, hull, &ray, |i| t(i, &ray)) != truth
         };
-        let count = (0..RAYS).filter(|&k| is_wrong(k)).count();
-        wrong.push((size, count as f64 / f64::from(RAYS)));
+        let count = (0..rays).filter(|&k| is_wrong(k)).count();
+        wrong.push((size, count as f64 / f64::from(rays)));
     }
     let worst = wrong.iter().map(|w| w.1).fold(0.0, f64::max);
     Figure::from(
@@ -228,7 +226,7 @@ pub fn printed_search(seed: u64) -> Figure {
             "With DELTA = 10⁻⁶ the printed search takes the wrong of near things: {:.1} % of rays in a small scene",
             100.0 * worst
         ))
-        .subtitle(&format!("60 spheres in a ball, {RAYS} chords a point; a later crossing wins if it is less than DELTA farther"))
+        .subtitle(&format!("60 spheres in a ball, {rays} chords a point; a later crossing wins if it is less than DELTA farther"))
         .guide(Guide::upright(1.0e-6, "DELTA"))
         .curve(Method::as_printed("as A prints it"), &wrong)
         .curve(Method::default_of("ties to the lower index").styled(0), &wrong.iter().map(|w| (w.0, 0.0)).collect::<Vec<_>>()),

@@ -20,7 +20,7 @@ const PRINTED: [(usize, usize, usize, f64); 5] = [
 ];
 const THRESHOLDS: [usize; 11] = [1, 3, 10, 30, 100, 200, 300, 400, 500, 1000, 3000];
 const DEPTH: usize = 16;
-const RAYS: u32 = 256;
+const RAYS: u32 = 128;
 
 /// An octree of one threshold.
 pub struct Row {

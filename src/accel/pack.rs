@@ -86,14 +86,14 @@ enum Aimed {
 
 impl Aim {
     #[inline(always)]
-    fn new(pack: &Pack, ray: &LocalRay, limit: f32) -> Aimed {
+    fn of(pack: &Pack, ray: &LocalRay, limit: f32) -> Aimed {
         let axis = ray.longest;
         let ahead = (f64::from(pack.origin[axis]) - ray.origin[axis]) * ray.ahead;
         let per_step = f64::from(pack.per_step);
         let mut o = [0.0; 3];
-        for i in 0..3 {
+        for (i, o) in o.iter_mut().enumerate() {
             let from = ray.origin[i] + ray.direction[i] * ahead - f64::from(pack.origin[i]);
-            o[i] = (from * per_step) as f32;
+            *o = (from * per_step) as f32;
         }
         let shift = ray.shift * pack.per_step;
         // A ray through the box is within Q of it in all coordinates where it meets the plane of its side.
@@ -121,7 +121,7 @@ const FLAT: f32 = 26.0 * Q;
 /// Bit `i`: the ray may meet triangle `i` before `limit`; 0 is certain.
 #[inline(always)]
 pub(super) fn sift_portable(pack: &Pack, ray: &LocalRay, limit: f32) -> u32 {
-    let aim = match Aim::new(pack, ray, limit) {
+    let aim = match Aim::of(pack, ray, limit) {
         Aimed::At(aim) => aim,
         Aimed::Past => return 0,
         Aimed::Lost => return pack.filled(),
@@ -153,7 +153,7 @@ pub(super) fn sift_portable(pack: &Pack, ray: &LocalRay, limit: f32) -> u32 {
 #[target_feature(enable = "avx2")]
 pub(super) fn sift_avx2(pack: &Pack, ray: &LocalRay, limit: f32) -> u32 {
     use std::arch::x86_64::*;
-    let aim = match Aim::new(pack, ray, limit) {
+    let aim = match Aim::of(pack, ray, limit) {
         Aimed::At(aim) => aim,
         Aimed::Past => return 0,
         Aimed::Lost => return pack.filled(),
