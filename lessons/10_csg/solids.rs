@@ -89,7 +89,8 @@ pub fn portrait(shape: Box<dyn Shape>, materials: &[DVec3], size: usize, samples
     scene.objects = vec![
         Object::new("floor", Box::new(floor), 0),
         Object::of_parts("solid", shape, (1..=materials.len()).collect()),
-    ];
+    ]
+    .into();
     let (at, size_of_lamp): (DVec3, DVec2) = (dvec3(1.5, 8.0, 6.5), dvec2(2.4, 2.4));
     let lamp = AreaLight::new(at, -at, 0.0, size_of_lamp, DVec3::splat(0.80), Falloff::None).expect("a lamp");
     scene.lights = vec![Light::Area(lamp.subdivided(3, 3, Placement::Jittered))];

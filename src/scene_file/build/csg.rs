@@ -65,7 +65,7 @@ impl Workshop<'_> {
 
     /// What stands in a `CSG`, or in the file that it names.
     fn whole(&mut self, block: &Block, from: From, log: &mut Vec<Diagnostic>) -> Option<Made> {
-        if block.is_broken() {
+        if block.is_broken() || (block.children.is_empty() && !block.closed) {
             return None; // reported where it was read
         }
         let from = From { map: from.map * transformation(block), ..from };
