@@ -37,7 +37,7 @@ fn main() -> Result {
     lesson.save("quadtree", trees::quadtree())?;
     lesson.save("flattened", trees::flattened())?;
 
-    // 2. The contestants: from nothing to a hierarchy, over heaps of ten to a million triangles.
+    // 2. The contestants: from nothing to a hierarchy, over hills of ten to a million triangles.
     let contest = [
         (Method::default_of("hierarchy, eight triangles a leaf").styled(0), Kind::Facets),
         (Method::new("hierarchy, one box each").styled(4), Kind::Bvh),
@@ -81,7 +81,7 @@ fn main() -> Result {
     lesson.claim(
         &format!(
             "{} × the triangles cost {:.1} × the looks, boxes and triangles together.",
-            grouped((sizes[sizes.len() - 1] / sizes[0]) as u64),
+            grouped((outcomes[0].1[sizes.len() - 1].n / outcomes[0].1[0].n) as u64),
             last / first
         ),
         last < first * (1.0 + (most / 10.0).log2()),
@@ -91,19 +91,20 @@ fn main() -> Result {
         &format!("Of hostile rays the careless slab test loses {naive} boxes, ours none."),
         ours == 0 && naive > 0,
     );
-    lesson.answer(&answer(&outcomes, &sizes))
+    lesson.answer(&answer(&outcomes))
 }
 
-fn answer(outcomes: &[(Method, Vec<Outcome>)], sizes: &[usize]) -> String {
-    let at = sizes.len() - 1;
+fn answer(outcomes: &[(Method, Vec<Outcome>)]) -> String {
+    let at = outcomes[0].1.len() - 1;
+    let n = grouped(outcomes[0].1[at].n as u64);
     let ns = |k: usize| outcomes[k].1[at].time.map_or(f64::NAN, |t| t.mid * 1.0e9);
     let looks = |k: usize| outcomes[k].1[at].looks;
     format!(
         "by a hierarchy of boxes: among {} triangles a ray looks at {:.1} boxes and triangles instead of {}, and takes {:.0} ns \
          (an octree with D's threshold {:.0} ns, {:.0} looks); five spheres need none, and get none",
-        grouped(sizes[at] as u64),
+        n,
         looks(0),
-        grouped(sizes[at] as u64),
+        n,
         ns(0),
         ns(2),
         looks(2),

@@ -28,12 +28,12 @@ pub fn scaling(outcomes: &Outcomes) -> Figure {
     let mid = |o: &Outcome| o.time.map_or(f64::NAN, |t| t.mid);
     let chart = Chart::time_over(triangles(), "time per ray")
         .title(&format!(
-            "{} × the triangles: a ray in a hierarchy takes {:.0} × the time, without a structure {:.0} ×",
-            grouped((factor(all, |o| o.n as f64)).round() as u64),
+            "{} × the triangles: a ray in a hierarchy takes {:.0} × the time, without a structure {} ×",
+            grouped(factor(all, |o| o.n as f64).round() as u64),
             factor(all, mid),
-            factor(&outcomes[5].1, mid)
+            grouped(factor(&outcomes[5].1, mid).round() as u64)
         ))
-        .subtitle("nearest triangle along chords through a ball of triangles that together are as large as its surface; watertight test, nine runs each")
+        .subtitle("nearest triangle along random chords of a ball with hills across it; watertight test, nine runs each")
         .guide(Guide::slope(1.0, "∝ n"));
     Figure::from(lines(chart, outcomes, |o| Some(Point::at(o.n as f64).timed(o.time?)))).caption(
         "Time to find the nearest triangle over their number. Without a structure, and with a box round each, it is proportional to n; \

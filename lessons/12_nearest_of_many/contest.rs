@@ -1,4 +1,4 @@
-//! The contestants, on heaps of triangles.
+//! The contestants, on hills of triangles.
 
 use glam::DVec3;
 use lightbench::accel::{Ball, Bvh, Facets, Hull, Hulls, Octree, Splitting, as_printed_nearest};
@@ -14,8 +14,8 @@ pub type Face = [DVec3; 3];
 const RAYS: u32 = 512;
 /// Tests that a time may cost before fewer rays have to do.
 const PATIENCE: usize = 400_000;
-/// A's octree is cut to the depth at which a cube of this heap holds a triangle or two, as far as memory goes.
-const DEEPEST: usize = 6;
+/// A's octree is cut to the depth at which a cube is about as wide as a field of the hills, as far as memory goes.
+const DEEPEST: usize = 7;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
@@ -27,7 +27,7 @@ pub enum Kind {
     Nothing,
 }
 
-/// A structure over a heap of triangles.
+/// A structure over triangles.
 pub enum Structure {
     Facets(Facets),
     Bvh(Bvh),
@@ -37,18 +37,24 @@ pub enum Structure {
     Nothing,
 }
 
-/// `n` triangles anywhere in a ball, together as large as its surface: about as many are met, however many there are.
-pub fn heap(seed: u64, n: usize) -> Vec<Face> {
-    let edge = (16.0 * std::f64::consts::PI / (3f64.sqrt() * n as f64)).sqrt();
-    let face = |k: u32| {
-        let mut sampler = Sampler::new(seed, 1, k);
-        let at = uniform_sphere(sampler.next_2d()) * sampler.next_1d().cbrt();
-        [0; 3].map(|_| at + uniform_sphere(sampler.next_2d()) * (edge / 3f64.sqrt()))
+/// Hills over a square in the unit ball, of about `n` triangles: two to each of `k × k` fields.
+pub fn hills(n: usize) -> Vec<Face> {
+    let k = (n as f64 / 2.0).sqrt().round().max(1.0) as usize;
+    let at = |i: usize, j: usize| {
+        let (x, z) = (2.0 * i as f64 / k as f64 - 1.0, 2.0 * j as f64 / k as f64 - 1.0);
+        let y = 0.25 * (5.0 * x + 2.0 * z).sin() * (4.0 * z - x).cos()
+            + 0.04 * (31.0 * x).sin() * (29.0 * z).sin();
+        DVec3::new(x, y, z)
     };
-    (0..n as u32).map(face).collect()
+    let field = |f: usize| {
+        let (i, j) = (f / k, f % k);
+        let [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
+        [[a, b, c], [a, c, d]]
+    };
+    (0..k * k).flat_map(field).collect()
 }
 
-/// Between points of a sphere round the heap.
+/// Between points of a sphere round the hills.
 pub fn chords(seed: u64, count: u32) -> Vec<Ray> {
     let ray = |k: u32| {
         let mut sampler = Sampler::new(seed, 2, k);
@@ -69,7 +75,7 @@ impl Structure {
             Kind::Bvh => Structure::Bvh(Bvh::build(&boxes(mesh))),
             Kind::Threshold => Structure::Octree(Octree::build(&boxes(mesh), Splitting::D)),
             Kind::Printed => {
-                let depth = ((mesh.len() as f64).log2() / 3.0).round() as usize;
+                let depth = ((mesh.len() as f64).log2() / 2.0).round() as usize;
                 let boxes = boxes(mesh);
                 let octree = Octree::build(&boxes, Splitting::to_depth(depth.clamp(1, DEEPEST)));
                 Structure::Printed(octree, boxes.iter().map(Ball::around).collect())
@@ -124,7 +130,7 @@ impl Structure {
     }
 }
 
-/// A structure on a heap of one size.
+/// A structure on hills of one size.
 pub struct Outcome {
     pub n: usize,
     /// Seconds to build, and a ray.
@@ -143,7 +149,8 @@ pub fn sweep(seed: u64, sizes: &[usize], kind: Kind) -> Vec<Outcome> {
 }
 
 fn outcome(seed: u64, n: usize, kind: Kind) -> Outcome {
-    let (mesh, rays) = (heap(seed, n), chords(seed, RAYS));
+    let (mesh, rays) = (hills(n), chords(seed, RAYS));
+    let n = mesh.len();
     let (build, structure) = timed(|| Structure::build(kind, &mesh));
     let few = (PATIENCE / n).clamp(4, RAYS as usize);
     let count = if matches!(kind, Kind::Nothing | Kind::Hulls) { few } else { rays.len() };

@@ -21,7 +21,7 @@ pub fn hulls() -> Result<Figure> {
     let center = (low + high) * 0.5;
     let radius = star.iter().map(|p| p.distance(center)).fold(0.0, f64::max);
     let mut d = Diagram::fitted();
-    for (shift, name) in [(dvec2(-2.6, 0.0), "a ball"), (dvec2(2.6, 0.0), "a box along the axes")] {
+    for (shift, name) in [(dvec2(-3.4, 0.0), "a ball"), (dvec2(3.4, 0.0), "a box along the axes")] {
         let at = |p: DVec2| p + shift;
         d = d.polygon(&star.iter().map(|p| at(*p)).collect::<Vec<_>>());
         let hull: Vec<DVec2> = if shift.x < 0.0 {
@@ -32,18 +32,18 @@ pub fn hulls() -> Result<Figure> {
             [low, dvec2(high.x, low.y), high, dvec2(low.x, high.y), low].map(at).to_vec()
         };
         d = d.hidden(&hull);
-        for (height, light, end) in [
-            (1.78, Light::Shadow, dvec2(2.1, 1.95)),
-            (0.98, Light::Reflected, dvec2(2.1, 0.9)),
-            (-0.1, Light::Incident, dvec2(-0.62, 0.06)),
+        for (from, light, end) in [
+            (dvec2(-2.2, -1.72), Light::Shadow, dvec2(2.1, -1.66)),
+            (dvec2(-2.2, 0.55), Light::Reflected, dvec2(0.6, 2.24)),
+            (dvec2(-2.2, -0.2), Light::Incident, dvec2(-0.66, -0.02)),
         ] {
-            d = d.ray(light, at(dvec2(-2.2, height)), at(end));
+            d = d.ray(light, at(from), at(end));
         }
-        d = d.note(at(dvec2(0.0, -2.05)), name);
+        d = d.note(at(dvec2(0.0, -2.2)), name);
     }
-    d = d.note(dvec2(0.0, 1.78), "misses the hull: done");
-    d = d.note(dvec2(0.0, 0.98), "meets the hull only");
-    d = d.note(dvec2(0.0, -0.1), "meets both");
+    d = d.note(dvec2(0.0, -1.69), "misses the hull: done");
+    d = d.note(dvec2(0.0, 0.55), "meets the hull only");
+    d = d.note(dvec2(0.0, -0.2), "meets both");
     Ok(Figure::from(
         d.title("A simple hull answers for a complicated thing: most rays that miss it miss the hull")
             .subtitle("grey: one look at the hull; orange: a look in vain and the test; blue: a look and the test; after A, ill. 70"),

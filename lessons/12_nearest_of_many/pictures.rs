@@ -56,8 +56,8 @@ fn scene(size: (u32, u32)) -> Option<Scene> {
         Falloff::None,
     )
     .ok()?;
-    scene.lights = vec![Light::Area(lamp.subdivided(3, 3, Placement::Jittered))];
-    scene.ambient = DVec3::splat(0.22);
+    scene.lights = vec![Light::Area(lamp.subdivided(4, 4, Placement::Jittered))];
+    scene.ambient = DVec3::splat(0.26);
     Some(scene)
 }
 

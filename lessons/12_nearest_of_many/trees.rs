@@ -10,8 +10,8 @@ const BALLS: [(f64, f64, f64); 7] = [
     (1.2, 6.6, 0.7),
     (2.7, 4.9, 0.45),
     (5.2, 6.2, 0.5),
-    (6.9, 7.2, 0.4),
-    (6.5, 5.2, 0.35),
+    (6.55, 7.45, 0.3),
+    (7.45, 6.6, 0.35),
     (6.3, 2.0, 1.1),
     (1.9, 1.7, 0.8),
 ];
@@ -71,7 +71,7 @@ pub fn quadtree() -> Figure {
     let mut leaves = 0.0;
     root.spread(&mut leaves);
     let wide = 15.0 / (leaves - 1.0);
-    let place = |s: &Square, level: f64| dvec2(9.6 + s.x * wide, 7.3 - 2.15 * level);
+    let place = |s: &Square, level: f64| dvec2(9.6 + s.x * wide, 7.6 - 2.3 * level);
     let mut d = Diagram::fitted();
     let mut squares = Vec::new();
     let mut waiting = vec![(&root, 0.0)];
@@ -117,7 +117,7 @@ pub fn flattened() -> Figure {
         Aabb::new(c - r * 0.6, c + r * 0.6)
     };
     let boxes: Vec<Aabb> = BALLS.iter().map(ball).collect();
-    let octree = Octree::build(&boxes, Splitting { threshold: 2, depth: 2 });
+    let octree = Octree::build(&boxes, Splitting { threshold: 1, depth: 2 });
     let cubes = octree.cubes();
     let last = cubes.len() as f64 - 1.0;
     // In the list children stand side by side, level by level; in the tree each stands under its parent.
@@ -142,7 +142,8 @@ pub fn flattened() -> Figure {
     let wide = 16.0 / (next - 1.0).max(1.0);
     let tree = |at: usize| dvec2(x[at] * wide, 5.4 - 1.6 * f64::from(cubes[at].level));
     let step = 16.0 / last.max(1.0);
-    let list = |at: usize| dvec2(at as f64 * step, -0.6);
+    let half = (step * 0.48).min(0.4);
+    let list = |at: usize| dvec2(at as f64 * step, 0.4);
     let light = |at: usize| if cubes[at].is_leaf { Light::Reflected } else { Light::Incident };
     let mut d = Diagram::fitted();
     for (at, cube) in cubes.iter().enumerate().filter(|(_, c)| !c.is_leaf) {
@@ -151,17 +152,17 @@ pub fn flattened() -> Figure {
         }
     }
     for at in 0..cubes.len() {
-        d = node(d, tree(at), 0.22, Some(light(at)));
-        d = d.note(tree(at) + dvec2(0.0, 0.48), &at.to_string());
-        d = node(d, list(at), step * 0.48, Some(light(at)));
+        d = node(d, tree(at), 0.36, Some(light(at)));
+        d = d.note(tree(at), &at.to_string());
+        d = node(d, list(at), half, Some(light(at)));
         d = d.note(list(at), &at.to_string());
     }
     for (k, (at, cube)) in cubes.iter().enumerate().filter(|(_, c)| !c.is_leaf).enumerate() {
-        let (from, low) = (list(at), -0.6 - step * 0.48);
+        let (from, low) = (list(at), 0.4 - half);
         let drop = low - 0.5 - 0.42 * k as f64;
         let (first, end) = (
-            list(cube.first as usize).x - step * 0.4,
-            list((cube.first + cube.count - 1) as usize).x + step * 0.4,
+            list(cube.first as usize).x - half * 0.9,
+            list((cube.first + cube.count - 1) as usize).x + half * 0.9,
         );
         d = d.thin(&[dvec2(from.x, low), dvec2(from.x, drop), dvec2((first + end) * 0.5, drop)]);
         d = d.ray(
@@ -175,5 +176,5 @@ pub fn flattened() -> Figure {
         d.title("A tree becomes a list: each cube says where its children begin, and how many there are")
             .subtitle("above the tree with the cubes' numbers, below the list; green: a parent's children; blue: split, orange: leaf; after D, figs. 22 and 23"),
     )
-    .caption("An octree flattened into an array (after D, figures 22 and 23); empty cubes are left out. The tree is that of seven boxes, two to a cube.")
+    .caption("An octree flattened into an array (after D, figures 22 and 23); empty cubes are left out. The tree is that of seven boxes, one to a cube, two levels deep.")
 }

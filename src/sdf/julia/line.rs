@@ -96,7 +96,7 @@ impl Line {
     }
 
     /// `|q_N|²` and half its derivative at one place. An orbit that leaves for good may overflow: then ∞ and 0.
-    #[inline]
+    #[inline(always)]
     pub fn value(&self, set: &Set, s: f64) -> (f64, f64) {
         let [p0, p1, p2] = self.p;
         let (mut a, mut u, mut da, mut du) = (self.a + s * self.da, self.u + s * self.du, self.da, self.du);
