@@ -1,8 +1,8 @@
 //! From blocks to solids made of solids.
 
-use super::mesh;
 use super::objects::{contradiction, lacks_numbers, solid};
 use super::transformation::transformation;
+use super::{is_spoilt, mesh};
 use crate::csg::{Csg, Tree};
 use crate::mesh::ClosedMesh;
 use crate::scene::Object;
@@ -99,6 +99,9 @@ impl Workshop<'_> {
         let span = block.span("Source");
         if log.iter().any(|d| d.severity == Severity::Error && d.span.start == span.start) {
             return None; // a text that does not end names no file
+        }
+        if is_spoilt(&block.span("Source"), log) {
+            return None;
         }
         let path = self.folder.join(block.word("Source")?);
         let wrong = |message: String| Diagnostic::error(block.span("Source"), message);
