@@ -36,6 +36,12 @@ impl Polarised {
     }
 }
 
+/// Cuts off what rounding has added; NaN goes through, which `f64::min` would swallow.
+#[inline]
+fn at_most_one(x: f64) -> f64 {
+    if x > 1.0 { 1.0 } else { x }
+}
+
 /// Cosine of the angle on the far side, `None` where light is totally reflected.
 ///
 /// ```text
@@ -47,7 +53,7 @@ impl Polarised {
 #[inline]
 pub fn cos_transmitted(ior_i: f64, ior_t: f64, cos_i: f64) -> Option<f64> {
     let g2 = (ior_t - ior_i) * (ior_t + ior_i) + (ior_i * cos_i) * (ior_i * cos_i);
-    (g2 >= 0.0).then(|| (g2.sqrt() / ior_t).min(1.0))
+    (!(g2 < 0.0)).then(|| at_most_one(g2.sqrt() / ior_t))
 }
 
 /// Reflectances of a boundary between two clear media.
@@ -77,7 +83,7 @@ pub fn dielectric(ior_i: f64, ior_t: f64, cos_i: f64) -> Polarised {
     let (sum_s, sum_p) = (ior_i * cos_i + g, t2 * cos_i + ior_i * g);
     let r_s = contrast / (sum_s * sum_s);
     let r_p = contrast * ((t2 + i2) * c2 - i2) / (sum_p * sum_p);
-    Polarised { s: (r_s * r_s).min(1.0), p: (r_p * r_p).min(1.0) }
+    Polarised { s: at_most_one(r_s * r_s), p: at_most_one(r_p * r_p) }
 }
 
 /// Reflectances of a metal, seen from a clear medium: relative index `η + ik`.
@@ -117,7 +123,7 @@ pub fn conductor(eta: f64, k: f64, cos_i: f64) -> Polarised {
     let p_sum = down_r * down_r + down_i * down_i;
     let up = up_r * up_r + up_i * up_i;
     let r_p = (contrast2.sqrt() / p_sum) * (contrast2.sqrt() / p_sum) * up;
-    Polarised { s: (contrast2 / (s_sum * s_sum)).min(1.0), p: r_p.min(1.0) }
+    Polarised { s: at_most_one(contrast2 / (s_sum * s_sum)), p: at_most_one(r_p) }
 }
 
 /// Reflectance at normal incidence, `F₀ = ((nₜ − nᵢ)/(nₜ + nᵢ))²`.

@@ -26,7 +26,7 @@ pub fn furnace(curves: &[Curve]) -> Figure {
     };
     let mut chart = Chart::new(angle("angle of view θₒ, degrees"), Axis::percent("albedo: share of a white sky that comes back").range(0.0, 1.3))
         .title(&format!(
-            "Every highlight loses light towards grazing, Phong's lobe most: {:.0} % is left at 75°; (n + 8)/8π creates {:.0} % at 0°",
+            "Lobes lose light towards grazing (Phong's keeps {:.0} % at 75°), facets between each other; (n + 8)/8π creates {:.0} %",
             at(1, 75.0),
             at(2, 0.0) - 100.0
         ))
@@ -104,9 +104,12 @@ pub fn fresnel() -> Figure {
         ))
         .subtitle("light without polarisation; glass 1.5, gold 0.143 + 3.983 i (red)")
         .function(Method::default_of("into glass").styled(0), &over(&|c| dielectric(1.0, 1.5, c).mean()))
-        .function(Method::new("into glass, Schlick").styled(5), &over(&|c| schlick_between(1.0, 1.5, c)))
+        .function(
+            Method::new("Schlick, by the angle on this side").styled(1),
+            &over(&|c| schlick(f0, 1.0 - c)),
+        )
         .function(Method::new("out of glass").styled(2), &over(&|c| dielectric(1.5, 1.0, c).mean()))
-        .function(Method::new("out of glass, Schlick by the inner angle").styled(1), &over(&|c| schlick(f0, 1.0 - c)))
+        .function(Method::new("out of glass, Schlick by the outer angle").styled(5), &over(&|c| schlick_between(1.5, 1.0, c)))
         .function(Method::new("gold").styled(4), &over(&|c| conductor(0.143, 3.983, c).mean()))
         .function(Method::new("gold, Schlick").styled(3), &over(&|c| schlick(gold, 1.0 - c)));
     Figure::from(chart).caption(
@@ -129,8 +132,8 @@ pub fn reciprocity(contestants: &[(Method, Model)], seed: u64) -> Figure {
         })
         .collect();
     let mut table = Table::new(&["Model", "claims", "largest difference", "median"])
-        .title("All models but two read the same both ways, to the last digit but a few")
         .subtitle("|f(wi, wo) − f(wo, wi)| over the larger; 4000 pairs, every second one in the highlight");
+    let mut worst: f64 = 0.0;
     for (method, model) in printed.iter().chain(contestants) {
         let mut found: Vec<f64> = pairs
             .iter()
@@ -138,6 +141,7 @@ pub fn reciprocity(contestants: &[(Method, Model)], seed: u64) -> Figure {
             .map(|(a, b)| if a == b { 0.0 } else { (a - b).abs() / a.max(b) })
             .collect();
         found.sort_by(f64::total_cmp);
+        worst = if model.is_reciprocal() { worst.max(found[found.len() - 1]) } else { worst };
         let claims = if model.is_reciprocal() { "reciprocal" } else { "nothing" };
         table = table.row(&[
             &method.name,
@@ -146,6 +150,8 @@ pub fn reciprocity(contestants: &[(Method, Model)], seed: u64) -> Figure {
             &short(found[found.len() / 2]),
         ]);
     }
+    let how = if worst == 0.0 { "to the last bit".to_string() } else { format!("to {}", short(worst)) };
+    let table = table.title(&format!("All models but two read the same both ways, {how}"));
     Figure::from(table).caption(
         "Helmholtz's reciprocity: light may be traced backwards only if a model reads the same both ways. A's (4.6) and Phong's formula of 1975 \
          do not, once they are read as BRDFs.",
@@ -198,7 +204,7 @@ pub fn scatter(contest: &Contest) -> Figure {
             first(0),
             short(first(3))
         ))
-        .subtitle("GGX from 75°, 16384 samples a point; samples below the horizon count as 0");
+        .subtitle("GGX from 75°; samples below the horizon count as 0");
     Figure::from(lines(chart, contest)).caption(
         "Sampling efficiency: the standard deviation of one weight f cos/pdf over the albedo. Its square is the number of samples that a relative \
          error of 1 costs.",
@@ -211,6 +217,7 @@ pub fn approximations(rivals: &[Rival]) -> Figure {
     let error = |k: usize| rivals[k].series.points[0].error.map_or(f64::NAN, |e| 100.0 * e.mid);
     let mut chart = Chart::speed_accuracy("relative error of f against the exact form (root mean square)")
         .x(Axis::time("time per value"))
+        .y(Axis::log("relative error of f against the exact form (root mean square)").range(1.0e-2, 1.0))
         .title(&format!(
             "The short Oren–Nayar saves {:.0} of {:.0} ns and errs by {:.0} %; Schlick saves {:.0} of {:.0} ns and errs by {:.0} %",
             ns(2) - ns(3),

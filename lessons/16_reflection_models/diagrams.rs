@@ -31,7 +31,7 @@ fn vectors() -> Figure {
     let o = DVec2::ZERO;
     let (u, v, r) = (at(-50.0), at(22.0), at(50.0));
     let lobe: Vec<DVec2> = polar(|degrees| 0.9 * (degrees - 50.0f64).to_radians().cos().max(0.0).powi(12));
-    let diagram = Diagram::new(dvec2(-1.5, -0.22), dvec2(1.5, 1.25))
+    let diagram = Diagram::new(dvec2(-1.5, -0.15), dvec2(1.5, 1.42))
         .ground(o, DVec2::Y)
         .region(Light::Reflected, &lobe)
         .ray(Light::Incident, o, u * 1.15)
@@ -67,7 +67,7 @@ fn facets() -> Figure {
     }
     let mut body = points.clone();
     body.extend([dvec2(1.5, -0.3), dvec2(-1.5, -0.3)]);
-    let mut diagram = Diagram::new(dvec2(-1.55, -0.25), dvec2(1.55, 1.05)).polygon(&body);
+    let mut diagram = Diagram::new(dvec2(-1.55, -0.25), dvec2(1.55, 0.8)).polygon(&body);
     let down = dvec2(0.55, -1.0).normalize();
     for i in [1, 3, 5, 7, 9] {
         let (p, along) = ((points[i] + points[i + 1]) * 0.5, (points[i + 1] - points[i]).normalize());
@@ -90,9 +90,9 @@ fn facets() -> Figure {
 
 /// [B 7.10].
 fn scattering(seed: u64) -> Figure {
-    let mut diagram = Diagram::new(dvec2(-1.5, -0.75), dvec2(1.5, 0.8)).half_plane(DVec2::ZERO, DVec2::Y);
+    let mut diagram = Diagram::new(dvec2(-0.85, -0.45), dvec2(0.85, 0.45)).half_plane(DVec2::ZERO, DVec2::Y);
     let entry = dvec2(-0.1, 0.0);
-    let from = dvec2(-0.75, 0.75);
+    let from = dvec2(-0.38, 0.43);
     diagram = diagram.ray(Light::Incident, from, entry).word("light");
     let (mut left, mut photon) = (0, 0u64);
     while left < 5 && photon < 400 {
@@ -102,7 +102,7 @@ fn scattering(seed: u64) -> Figure {
         let mut way = dvec2(0.45, -1.0).normalize();
         for step in 0..40 {
             let here = path[path.len() - 1];
-            let next = here + way * (0.05 - 0.11 * (1.0 - number(2 * step)).ln());
+            let next = here + way * (0.04 - 0.09 * (1.0 - number(2 * step)).ln());
             if next.y >= 0.0 {
                 let exit = here + (next - here) * (here.y / (here.y - next.y));
                 path.push(exit);
@@ -119,11 +119,11 @@ fn scattering(seed: u64) -> Figure {
         if shown && (end.x - entry.x).abs() > 0.08 {
             left += 1;
             let out = at(150.0 * (uniform(seed, photon, 1, 0) - 0.5));
-            diagram = diagram.path(Light::Transmitted, &path).ray(Light::Reflected, end, end + out * 0.5);
+            diagram = diagram.path(Light::Transmitted, &path).ray(Light::Reflected, end, end + out * 0.3);
         }
     }
     let diagram = diagram
-        .note(dvec2(0.95, -0.66), "inside the material")
+        .note(dvec2(0.6, -0.41), "inside the material")
         .title("In a matt material light wanders, and leaves in a direction that has forgotten how it came")
         .subtitle(&format!("{left} random walks of photons that come out again; the others are absorbed"));
     Figure::from(diagram).caption("Light scattered inside a diffuse material, after B, 7.10: the reason why Lambert's surface sends the same radiance everywhere.")
@@ -134,34 +134,56 @@ fn polar(r: impl Fn(f64) -> f64) -> Vec<DVec2> {
     (-360..=360).map(|k| f64::from(k) * 0.25).map(|degrees| at(degrees) * r(degrees)).collect()
 }
 
-/// The lobe of a model lit from the left at an angle [degrees]: `f` in the plane of incidence, times a scale.
-fn lobe(model: &Model, light: f64, scale: f64) -> Vec<DVec2> {
-    polar(|degrees| {
+/// The lobe of a model lit from the left at an angle [degrees], in the plane of incidence; its peak is drawn that long.
+fn lobe(model: &Model, light: f64, peak: f64, shown: fn(f64, f64) -> f64) -> Vec<DVec2> {
+    let value = |degrees: f64| {
         let phi = if degrees > 0.0 { PI } else { 0.0 };
         let theta = degrees.abs().to_radians().min(FRAC_PI_2 - 1.0e-3);
-        scale * model.value(&Angles::new(theta, light.to_radians(), phi))
-    })
+        shown(model.value(&Angles::new(theta, light.to_radians(), phi)), theta.cos())
+    };
+    let highest = (-360..=360).map(|k| value(f64::from(k) * 0.25)).fold(f64::MIN_POSITIVE, f64::max);
+    polar(|degrees| value(degrees) * peak / highest)
 }
 
-fn with_lobes(mut diagram: Diagram, light: f64, lobes: &[(&str, Light, Model, f64)]) -> Diagram {
+fn with_lobes(
+    mut diagram: Diagram,
+    light: f64,
+    lobes: &[(&str, Light, Model, f64)],
+    shown: fn(f64, f64) -> f64,
+) -> Diagram {
     diagram = diagram.ground(DVec2::ZERO, DVec2::Y);
-    for (name, pen, model, scale) in lobes {
-        let points = lobe(model, light, *scale);
+    for (name, pen, model, peak) in lobes {
+        let points = lobe(model, light, *peak, shown);
         let far = points.iter().copied().max_by(|a, b| a.length().total_cmp(&b.length())).unwrap_or_default();
         diagram = diagram.path(*pen, &points).spot(*pen, far).word(name);
     }
-    diagram.ray(Light::Normal, at(-light) * 1.12, at(-light) * 0.12).name("light").point(DVec2::ZERO)
+    diagram.ray(Light::Normal, at(-light) * 1.0, at(-light) * 0.12).name("light").point(DVec2::ZERO)
 }
 
 fn matt_lobes() -> std::result::Result<Figure, ParameterError> {
     let rough = |form| OrenNayar::new(1.0, 0.6, form).map(Model::from);
-    let scale = 2.0; // 1/π is drawn 0.64 long
+    // One scale for all: 1/π is drawn 0.64 long.
+    let peak = |model: &Model| {
+        (-360..=360)
+            .map(|k| {
+                model.value(&Angles::new(
+                    (f64::from(k) * 0.2495).abs().to_radians(),
+                    60f64.to_radians(),
+                    if k > 0 { PI } else { 0.0 },
+                ))
+            })
+            .fold(0.0, f64::max)
+            * 2.0
+    };
+    let (matt, short, full) =
+        (Model::from(Lambert::new(1.0)?), rough(OrenNayarForm::Qualitative)?, rough(OrenNayarForm::Full)?);
+    let peaks = [peak(&matt), peak(&short), peak(&full)];
     let lobes = [
-        ("Lambert", Light::Incident, Lambert::new(1.0)?.into(), scale),
-        ("Oren–Nayar, short", Light::Reflected, rough(OrenNayarForm::Qualitative)?, scale),
-        ("Oren–Nayar, full", Light::Transmitted, rough(OrenNayarForm::Full)?, scale),
+        ("Lambert", Light::Incident, matt, peaks[0]),
+        ("Oren–Nayar, short", Light::Reflected, short, peaks[1]),
+        ("Oren–Nayar, full", Light::Transmitted, full, peaks[2]),
     ];
-    let diagram = with_lobes(Diagram::new(dvec2(-1.6, -0.1), dvec2(1.6, 1.15)), 60.0, &lobes)
+    let diagram = with_lobes(Diagram::new(dvec2(-1.2, -0.1), dvec2(1.2, 0.75)), 60.0, &lobes, |f, _| f)
         .title("Lambert's lobe is a circle; rough matt surfaces send light back where it came from")
         .subtitle("f in the plane of incidence, light at 60°, ρ = 1, slopes σ = 0.6 rad");
     Ok(Figure::from(diagram).caption(
@@ -174,22 +196,22 @@ fn glossy_lobes() -> std::result::Result<Figure, ParameterError> {
     let off = Lafortune::new(DVec3::new(-1.0, -1.0, 0.8), 12.0, 1.0)?;
     let beckmann = CookTorrance::new(0.35, Distribution::Beckmann, Shadowing::VCavity, GOLD)?;
     let lobes = [
-        ("Phong, n = 12", Light::Incident, phong.into(), 0.3),
-        ("Blinn, n = 48", Light::Shadow, Blinn::new(48.0)?.into(), 0.12),
-        ("Lafortune, pulled down", Light::Transmitted, off.into(), 0.5),
-        ("Cook–Torrance, gold", Light::Reflected, beckmann.into(), 0.42),
-        ("GGX, white", Light::Other, CookTorrance::ggx(0.35, WHITE)?.into(), 0.22),
+        ("Phong, n = 12", Light::Incident, phong.into(), 1.0),
+        ("Blinn, n = 48", Light::Shadow, Blinn::new(48.0)?.into(), 0.88),
+        ("Lafortune, pulled down", Light::Transmitted, off.into(), 0.76),
+        ("Cook–Torrance, gold", Light::Reflected, beckmann.into(), 1.12),
+        ("GGX, white", Light::Other, CookTorrance::ggx(0.35, WHITE)?.into(), 0.64),
     ];
-    let diagram = with_lobes(Diagram::new(dvec2(-1.4, -0.1), dvec2(1.9, 1.15)), 55.0, &lobes)
+    let diagram = with_lobes(Diagram::new(dvec2(-0.95, -0.08), dvec2(1.35, 0.82)), 55.0, &lobes, |f, cos| f * cos)
         .title(
-            "Half-vector lobes are longer and lean towards grazing; Phong's stays round the mirror direction",
+            "Round the mirror direction, and beside it: facets lean towards the horizon, Phong's lobe away from it",
         )
         .subtitle(
-            "f in the plane of incidence, light at 55°; each drawn at its own scale, to compare shapes",
+            "f cos θ in the plane of incidence, light at 55°; peaks set apart to compare shapes",
         );
     Ok(Figure::from(diagram).caption(
-        "Polar plots of glossy models. Facets make the highlight longer than broad and push its peak beyond the mirror direction (off-specular \
-         reflection); Lafortune's lobe can be given the same lean by one coefficient.",
+        "Polar plots of glossy models with the cosine of the transport, which draws Phong's and Blinn's lobes up towards the normal; the facets' \
+         1/cos makes up for it, and more (off-specular reflection). Lafortune's lobe leans by one coefficient.",
     ))
 }
 
@@ -201,8 +223,8 @@ fn printed_lobe() -> std::result::Result<Figure, ParameterError> {
         let v = at(degrees);
         0.9 * as_printed::cosine_lobe_as_printed(u, DVec3::Z, DVec3::new(v.x, 0.0, v.y), 4.0)
     };
-    let cut = lobe(&Phong::new(4.0)?.into(), light, 0.9);
-    let diagram = Diagram::new(dvec2(-1.4, -0.12), dvec2(1.5, 1.05))
+    let cut = lobe(&Phong::new(4.0)?.into(), light, 0.9 * 6.0 / (2.0 * PI), |f, _| f);
+    let diagram = Diagram::new(dvec2(-1.1, -0.1), dvec2(1.1, 0.62))
         .ground(DVec2::ZERO, DVec2::Y)
         .path(Light::Transmitted, &cut)
         .spot(Light::Transmitted, at(light) * (0.9 * 6.0 / (2.0 * PI)))

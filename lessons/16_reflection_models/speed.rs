@@ -61,18 +61,18 @@ impl Sampler4 {
     }
 
     /// Standard deviation of one sample over the mean.
-    pub fn deviation(self, model: &CookTorrance, wo: DVec3, seed: u64) -> Option<f64> {
-        let moments: Moments = (0..16_384).map(|i| self.weight(model, wo, point2(seed, 0, i))).collect();
+    pub fn deviation(self, model: &CookTorrance, wo: DVec3, (samples, seed): (u32, u64)) -> Option<f64> {
+        let moments: Moments = (0..samples).map(|i| self.weight(model, wo, point2(seed, 0, i))).collect();
         let truth = model.albedo(wo).value;
         moments.variance().map(|v| v.sqrt() / truth)
     }
 }
 
 /// Relative standard deviation of one sample, over the roughness.
-pub fn scatter(way: Sampler4, widths: &[f64], seed: u64) -> Series {
+pub fn scatter(way: Sampler4, widths: &[f64], batch: (u32, u64)) -> Series {
     Series::over(widths, |width| {
         let model = CookTorrance::ggx(width, super::WHITE).map(|m| m.sampled(way.facets()));
-        let deviation = model.ok().and_then(|m| way.deviation(&m, super::view(super::GRAZING), seed));
+        let deviation = model.ok().and_then(|m| way.deviation(&m, super::view(super::GRAZING), batch));
         Point { error: deviation.map(Spread::exact), ..Point::at(width) }
     })
 }

@@ -13,7 +13,7 @@ use lightbench::fresnel::Fresnel;
 use lightbench::kit::figure::{Figure, Panels, Pixels};
 use lightbench::kit::lesson::{Lesson, LessonError};
 use lightbench::measure::Method;
-use lightbench::sample::Sampler;
+use lightbench::sample::{Sampler, r2};
 use rayon::prelude::*;
 
 /// Half sides of the window, in the plane at distance 1; its bars; its radiance and the sky's.
@@ -65,17 +65,17 @@ fn surroundings(from: DVec3, w: DVec3) -> Rgb {
 
 /// Light that a point of the sphere sends to the eye: one sample of the material and one of the window, each weighted by its
 /// share of both densities (Veach's balance heuristic).
-fn reflected(material: &Lobes, n: DVec3, to_eye: DVec3, s: &mut Sampler) -> Rgb {
+fn reflected(material: &Lobes, n: DVec3, to_eye: DVec3, [u, v]: [DVec2; 2]) -> Rgb {
     let (x, y) = basis(n);
     let local = |w: DVec3| DVec3::new(w.dot(x), w.dot(y), w.dot(n));
     let wo = local(to_eye);
     let mut sum = Rgb::ZERO;
-    if let Some(made) = material.sample(wo, s.next_2d()) {
+    if let Some(made) = material.sample(wo, u) {
         let w = x * made.wi.x + y * made.wi.y + n * made.wi.z;
         let share = if made.pdf == f64::INFINITY { 1.0 } else { made.pdf / (made.pdf + window_pdf(w)) };
         sum += made.weight * surroundings(n, w) * share;
     }
-    let (u, [axis, right, up]) = (s.next_2d() * 2.0 - 1.0, window());
+    let (u, [axis, right, up]) = (v * 2.0 - 1.0, window());
     let w = (axis + right * (u.x * WINDOW.x) + up * (u.y * WINDOW.y)).normalize();
     let (wi, pdf) = (local(w), window_pdf(w));
     if wi.z > 0.0 && pdf > 0.0 {
@@ -85,12 +85,20 @@ fn reflected(material: &Lobes, n: DVec3, to_eye: DVec3, s: &mut Sampler) -> Rgb 
     sum
 }
 
-/// The sphere, seen from a little above; `at` gives the light of its point with that normal.
-fn picture(
+/// How a picture is taken.
+#[derive(Clone, Copy)]
+struct Shot {
     size: usize,
     samples: u32,
     seed: u64,
-    at: impl Fn(DVec3, DVec3, &mut Sampler) -> Rgb + Sync,
+    /// Radiance `1/exposure` comes out at 63 % of white.
+    exposure: f64,
+}
+
+/// The sphere, seen from a little above; `at` gives the light of its point with that normal.
+fn picture(
+    shot: Shot,
+    at: impl Fn(DVec3, DVec3, [DVec2; 2]) -> Rgb + Sync,
     behind: impl Fn(DVec3, DVec3) -> Rgb + Sync,
 ) -> Image {
     let eye = dvec3(0.0, 1.3, 6.4);
@@ -98,30 +106,34 @@ fn picture(
     let right = forward.cross(DVec3::Y).normalize();
     let up = right.cross(forward);
     let pixel = |i: usize| {
-        let (column, row) = (i % size, i / size);
+        let (column, row) = (i % shot.size, i / shot.size);
+        let mut shifts = Sampler::new(shot.seed, i as u64, 0);
+        let shifts = [shifts.next_2d(), shifts.next_2d()];
         let mut sum = Rgb::ZERO;
-        for k in 0..samples {
-            let mut s = Sampler::new(seed, i as u64, k);
-            let p = (DVec2::new(column as f64, row as f64) + s.next_2d()) / size as f64 * 2.0 - 1.0;
+        for k in 0..shot.samples {
+            let mut s = Sampler::new(shot.seed, i as u64, k + 1);
+            let p = (DVec2::new(column as f64, row as f64) + s.next_2d()) / shot.size as f64 * 2.0 - 1.0;
             let w = (forward + (right * p.x - up * p.y) * 0.185).normalize();
             let (b, c) = (eye.dot(w), eye.length_squared() - 1.0);
             let radiance = match b * b - c {
                 d if d < 0.0 => behind(eye, w),
-                d => {
-                    let n = (eye - w * (b + d.sqrt())).normalize();
-                    at(n, -w, &mut s)
-                }
+                // An even set of points, shifted in each pixel.
+                d => at(
+                    (eye - w * (b + d.sqrt())).normalize(),
+                    -w,
+                    shifts.map(|shift| (r2(0, k) + shift).fract()),
+                ),
             };
             // Each sample bent by itself, so that the bright window leaves smooth rims.
-            sum += radiance.map(|x| 1.0 - (-1.6 * x).exp());
+            sum += radiance.map(|x| 1.0 - (-shot.exposure * x).exp());
         }
-        sum / f64::from(samples)
+        sum / f64::from(shot.samples)
     };
-    Image::from_pixels(size, size, (0..size * size).into_par_iter().map(pixel).collect())
+    Image::from_pixels(shot.size, shot.size, (0..shot.size * shot.size).into_par_iter().map(pixel).collect())
 }
 
-fn lit(material: &Lobes, size: usize, samples: u32, seed: u64) -> Pixels {
-    Pixels::from(&picture(size, samples, seed, |n, v, s| reflected(material, n, v, s), surroundings))
+fn lit(material: &Lobes, shot: Shot) -> Pixels {
+    Pixels::from(&picture(shot, |n, v, u| reflected(material, n, v, u), surroundings))
 }
 
 /// One model in one colour.
@@ -132,11 +144,13 @@ fn coloured(tint: Rgb, model: impl Into<Model>) -> Result<Lobes, ParameterError>
 pub fn save(lesson: &Lesson) -> Result<(), LessonError> {
     let wrong = |e: ParameterError| LessonError::Other(e.to_string());
     let (size, samples) = lesson.pick([(24, 4), (150, 36), (280, 144), (420, 400)]);
-    let shot = |m: &Lobes| lit(m, size, samples, lesson.seed());
-    lesson.save("three_surfaces", three(&shot).map_err(wrong)?)?;
-    lesson.save("spheres", all(&shot).map_err(wrong)?)?;
-    lesson.save("roughness", roughness(&shot).map_err(wrong)?)?;
-    lesson.save("furnace_spheres", in_furnace(size, lesson.seed()).map_err(wrong)?)
+    let shot = Shot { size, samples, seed: lesson.seed(), exposure: 1.5 };
+    let bright = |m: &Lobes| lit(m, shot);
+    let dim = |m: &Lobes| lit(m, Shot { exposure: 0.75, ..shot });
+    lesson.save("three_surfaces", three(&bright).map_err(wrong)?)?;
+    lesson.save("spheres", all(&bright).map_err(wrong)?)?;
+    lesson.save("roughness", roughness(&dim).map_err(wrong)?)?;
+    lesson.save("furnace_spheres", in_furnace(shot, lesson.pick([16, 96, 128, 256])).map_err(wrong)?)
 }
 
 /// [B 7.8].
@@ -160,7 +174,7 @@ fn all(shot: &dyn Fn(&Lobes) -> Pixels) -> Result<Figure, ParameterError> {
         (dvec3(0.05, 0.25, 0.5), OrenNayar::new(1.0, 0.3, OrenNayarForm::Full)?.into()),
         (Rgb::ONE, CookTorrance::ggx(0.08, GLASS)?.into()),
     ])?;
-    let yellow = dvec3(1.0, 0.82, 0.5);
+    let yellow = dvec3(1.0, 0.74, 0.36);
     let panels = Panels::new()
         .columns(4)
         .title("Eight models under one window: matt, lobes, facets")
@@ -169,7 +183,7 @@ fn all(shot: &dyn Fn(&Lobes) -> Pixels) -> Result<Figure, ParameterError> {
         .picture(shot(&coloured(copper, OrenNayar::new(0.9, 0.8, OrenNayarForm::Full)?)?), "Oren–Nayar, σ = 0.8")
         .picture(shot(&coloured(copper, Phong::new(40.0)?)?), "cosine lobe (A 4.7), n = 40")
         .picture(shot(&coloured(copper, Blinn::new(160.0)?)?), "Blinn, n = 160")
-        .picture(shot(&coloured(copper, Lafortune::new(dvec3(-1.0, -1.0, 0.85), 40.0, 1.0)?)?), "Lafortune, Cz = 0.85, n = 40")
+        .picture(shot(&coloured(copper, Lafortune::new(dvec3(-1.0, -1.0, 0.95), 20.0, 1.0)?)?), "Lafortune, Cz = 0.95, n = 20")
         .picture(shot(&coloured(yellow, gold(Distribution::Beckmann, Shadowing::VCavity)?)?), "Cook–Torrance, m = 0.3")
         .picture(shot(&coloured(yellow, gold(Distribution::Ggx, Shadowing::Smith)?)?), "GGX, α = 0.3")
         .picture(shot(&glazed), "GGX glass on Oren–Nayar")
@@ -201,7 +215,7 @@ fn roughness(shot: &dyn Fn(&Lobes) -> Pixels) -> Result<Figure, ParameterError> 
 }
 
 /// Spheres in a uniform sky: what conserves energy cannot be seen.
-fn in_furnace(size: usize, seed: u64) -> Result<Figure, ParameterError> {
+fn in_furnace(shot: Shot, steps: usize) -> Result<Figure, ParameterError> {
     let sky = 0.45;
     let mut panels = Panels::new()
         .columns(4)
@@ -214,16 +228,19 @@ fn in_furnace(size: usize, seed: u64) -> Result<Figure, ParameterError> {
         CookTorrance::ggx(1.0, Fresnel::Schlick { f0: 1.0 })?.into(),
     ));
     for (method, model) in &models {
-        // Even steps of the square of the cosine's complement would do; the cosine itself is finest where albedos turn.
         let table: Vec<f64> = (0..=128)
             .map(|k| model.albedo(view((f64::from(k).max(0.25) / 128.0).acos().to_degrees())).value)
             .collect();
         let at = |cos: f64| {
-            let x = cos.clamp(0.0, 1.0) * 128.0;
-            let k = (x as usize).min(127);
+            let x = cos.clamp(0.0, 1.0) * steps as f64;
+            let k = (x as usize).min(steps - 1);
             table[k] + (table[k + 1] - table[k]) * (x - k as f64)
         };
-        let image = picture(size, 9, seed, |n, v, _| Rgb::splat(sky * at(n.dot(v))), |_, _| Rgb::splat(sky));
+        let image = picture(
+            Shot { samples: 16, ..shot },
+            |n, v, _| Rgb::splat(sky * at(n.dot(v))),
+            |_, _| Rgb::splat(sky),
+        );
         panels = panels.picture(Pixels::from(&image), &method.name);
     }
     let panels = panels.alt("Eight grey squares: Lambert's sphere cannot be seen, lobes are dark towards the rim, Blinn's usual scale is bright in the middle.");

@@ -35,9 +35,9 @@ impl Half {
             // Opposite in the horizon, but for heights whose squares vanish: the half vector is the normal.
             return Half { cos_h: 1.0, sin2_h: 0.0, cos_d: 0.5 * sum_of_cosines, versine_d: 1.0 };
         }
-        let cos_h = (0.5 * sum_of_cosines / cos_d).min(1.0);
-        let sin2_h = (0.25 * tangential2 / cos2_d).min(1.0);
-        Half { cos_h, sin2_h, cos_d: cos_d.min(1.0), versine_d: sin2_d / (1.0 + cos_d) }
+        let cos_h = at_most_one(0.5 * sum_of_cosines / cos_d);
+        let sin2_h = at_most_one(0.25 * tangential2 / cos2_d);
+        Half { cos_h, sin2_h, cos_d: at_most_one(cos_d), versine_d: sin2_d / (1.0 + cos_d) }
     }
 
     /// `ln cos θₕ`, from whichever of sine and cosine is small; −∞ in the horizon.
@@ -45,6 +45,12 @@ impl Half {
     pub fn log_cos_h(&self) -> f64 {
         if self.sin2_h < 0.5 { 0.5 * (-self.sin2_h).ln_1p() } else { self.cos_h.ln() }
     }
+}
+
+/// Cuts off what rounding has added; NaN goes through, which `f64::min` would swallow.
+#[inline]
+fn at_most_one(x: f64) -> f64 {
+    if x > 1.0 { 1.0 } else { x }
 }
 
 /// A pair of directions above the horizon.

