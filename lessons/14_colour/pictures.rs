@@ -118,7 +118,8 @@ fn fruit(lamp: Rgb) -> Scene {
     scene.materials = vec![matt(DVec3::splat(0.8)), matt(ORANGE)];
     let floor = Cuboid::new(dvec3(-60.0, -1.2, -60.0), dvec3(60.0, -1.0, 60.0)).expect("a floor");
     let ball = Sphere::new(DVec3::ZERO, 1.0).expect("a ball");
-    scene.objects = vec![Object::new("floor", Box::new(floor), 0), Object::new("orange", Box::new(ball), 1)];
+    scene.objects =
+        vec![Object::new("floor", Box::new(floor), 0), Object::new("orange", Box::new(ball), 1)].into();
     let at = dvec3(-2.6, 4.6, 3.0);
     let light = AreaLight::new(at, -at, 0.0, dvec2(1.4, 1.4), lamp * 0.98, Falloff::None).expect("a lamp");
     scene.lights = vec![Light::Area(light.subdivided(4, 4, Placement::Jittered))];

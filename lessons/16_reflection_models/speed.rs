@@ -145,6 +145,6 @@ fn rival(
 fn pair(seed: u64, i: u32) -> Directions {
     let mut s = Sampler::new(seed, 1, i);
     let (wo, any) = (uniform_hemisphere(s.next_2d()), uniform_hemisphere(s.next_2d()));
-    let wi = if i % 2 == 0 { (mirror(wo) + any * 0.5).normalize() } else { any };
+    let wi = if i.is_multiple_of(2) { (mirror(wo) + any * 0.5).normalize() } else { any };
     Directions { wi, wo }
 }
