@@ -246,7 +246,7 @@ pub fn edges(wheel: &Wheel) -> Figure {
         ("white itself", white),
         ("on the line of purples", violet.lerp(red, 0.5)),
         ("at the red end, 780 nm", red),
-        ("imaginary, far below", dvec2(-3.0, -1.0e200)),
+        ("imaginary, far below", dvec2(-3.0, -1.0e100)),
     ];
     let mut table = Table::new(&["colour", "cross products (default)", "purity", "y = m x + b", "106 bits"])
         .title("White has no hue, one rounding off it has one; right above it a slope has none")

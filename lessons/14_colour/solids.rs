@@ -134,7 +134,7 @@ pub enum Model {
 }
 
 fn side_by_side(title: &str, subtitle: &str, pictures: [Pixels; 2]) -> (Drawing, [Rect; 2]) {
-    let mut drawing = Drawing::new(1200.0, 770.0);
+    let mut drawing = Drawing::new(1200.0, 760.0);
     let top = Heading { title: title.to_string(), subtitle: subtitle.to_string() }.draw(&mut drawing);
     let side = 552.0;
     let place = |i: usize| {
@@ -218,7 +218,7 @@ pub fn cones(size: usize) -> Figure {
     let hsv = [made(DVec3::Y, DVec3::ZERO, 1.0)];
     let hls = [made(DVec3::Y * 0.5, DVec3::ZERO, 1.0), made(DVec3::Y * 0.5, DVec3::Y, 1.0)];
     let stretch = 1.5; // the solids are half as high again as their coordinates
-    let camera = camera(dvec3(0.7, 3.1, 5.4), dvec3(0.0, 0.74, 0.0));
+    let camera = camera(dvec3(0.65, 3.05, 5.0), dvec3(0.0, 0.87, 0.0));
     // A quarter towards the viewer; hue 0, red, lies to the right.
     let wedge = [dvec3(0.8, 0.0, 0.6), dvec3(-0.6, 0.0, 0.8)];
     let squeeze = |ray: &Ray| {

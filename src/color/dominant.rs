@@ -100,7 +100,8 @@ pub enum Rim {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dominant {
     pub rim: Rim,
-    /// Share of the way from white to the rim, in [0,1] for real colours; imaginary ones lie beyond 1.
+    /// Share of the way from white to the rim, in [0,1] for real colours; imaginary ones lie beyond 1. The table's curve is
+    /// not quite convex: mixtures of neighbouring lines reach 1.0003.
     pub purity: f64,
 }
 

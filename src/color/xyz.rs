@@ -59,8 +59,7 @@ impl Primaries {
             (scaled(gb, 1.0 / (det * t.x)), scaled(br, 1.0 / (det * t.y)), scaled(rg, 1.0 / (det * t.z)));
         let xyz_from_rgb = DMat3::from_cols(scaled(r, t.x), scaled(g, t.y), scaled(b, t.z));
         let rgb_from_xyz = DMat3::from_cols(dvec3(x.x, y.x, z.x), dvec3(x.y, y.y, z.y), dvec3(x.z, y.z, z.z));
-        let size = t.x + t.y + t.z + x.x + y.y + z.z;
-        if det != 0.0 && t.x != 0.0 && t.y != 0.0 && t.z != 0.0 && size.is_finite() {
+        if decided(r, g, b) && decided(w, g, b) && decided(w, b, r) && decided(w, r, g) {
             Some(RgbSpace { xyz_from_rgb, rgb_from_xyz })
         } else {
             None
@@ -71,6 +70,19 @@ impl Primaries {
 const fn homogeneous(xy: DVec2) -> DVec3 {
     // From x first: 1 − x is exact for every x in [½, 1].
     dvec3(xy.x, xy.y, 1.0 - xy.x - xy.y)
+}
+
+/// Is the determinant other than 0 beyond its rounding error? Each of its six products meets 5 roundings on the way, and as
+/// many before it in [`homogeneous`].
+const fn decided(a: DVec3, b: DVec3, c: DVec3) -> bool {
+    let (a1, b1, c1) = (magnitudes(a), magnitudes(b), magnitudes(c));
+    let products = dvec3(b1.y * c1.z + c1.y * b1.z, b1.z * c1.x + c1.z * b1.x, b1.x * c1.y + c1.x * b1.y);
+    let det = dot(a, cross(b, c));
+    det.is_finite() && det.abs() > 10.0 * f64::EPSILON * 0.5 * dot(a1, products)
+}
+
+const fn magnitudes(v: DVec3) -> DVec3 {
+    dvec3(v.x.abs(), v.y.abs(), v.z.abs())
 }
 
 const fn scaled(v: DVec3, k: f64) -> DVec3 {

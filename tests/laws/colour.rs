@@ -21,7 +21,7 @@ fn channel() -> impl Strategy<Value = f64> + Clone {
 
 /// Colours of the cube, half of them grey but for a few roundings.
 fn cube() -> impl Strategy<Value = Rgb> {
-    let any = (channel(), channel(), channel()).prop_map(|(r, g, b)| Rgb::new(r, g, b));
+    let anywhere = (channel(), channel(), channel()).prop_map(|(r, g, b)| Rgb::new(r, g, b));
     let greyish =
         (channel(), 0.0..8.0f64, 0.0..8.0f64, 0usize..3, any::<bool>()).prop_map(|(v, a, b, k, small)| {
             let unit = if small { U } else { 1e-9 };
@@ -30,7 +30,7 @@ fn cube() -> impl Strategy<Value = Rgb> {
             rgb[(k + 1) % 3] = (v - b.floor() * unit).max(0.0);
             rgb
         });
-    prop_oneof![any, greyish]
+    prop_oneof![anywhere, greyish]
 }
 
 fn wild() -> impl Strategy<Value = Rgb> {
@@ -65,7 +65,9 @@ proptest! {
     #[test]
     fn hsv_round_trips(rgb in cube()) {
         let back = rgb_from_hsv(hsv_from_rgb(rgb));
-        prop_assert!((back - rgb).abs().max_element() <= gamma(12) * rgb.max_element(), "{rgb} {back}");
+        // Subnormal channels round to whole steps instead.
+        let tolerance = gamma(12) * rgb.max_element() + 4.0 * f64::from_bits(1);
+        prop_assert!((back - rgb).abs().max_element() <= tolerance, "{rgb} {back}");
     }
 
     #[test]
@@ -182,7 +184,8 @@ proptest! {
     fn extreme_sizes_of_both_signs_give_numbers(r in -1.0..1.0f64, g in -1.0..1.0f64, b in -1.0..1.0f64) {
         let rgb = Rgb::new(r, g, b) * f64::MAX;
         let (hsv, hls) = (hsv_from_rgb(rgb), hls_from_rgb(rgb));
-        prop_assert!(!(hsv.hue + hsv.saturation + hls.hue + hls.saturation + hls.lightness).is_nan());
+        let all = [hsv.hue, hsv.saturation, hls.hue, hls.saturation, hls.lightness];
+        prop_assert!(all.iter().all(|x| !x.is_nan()), "{hsv:?} {hls:?}");
     }
 
     /// A line of the spectrum has its own wavelength and purity 1, and keeps the wavelength mixed with white.
@@ -198,7 +201,8 @@ proptest! {
         prop_assert!((mixed.purity - part).abs() <= gamma(100));
     }
 
-    /// Mixtures of lines lie inside. The table's curve bends inwards here and there, by 1e-8 at most.
+    /// Mixtures of lines lie inside, but for the table: its curve is not quite convex, and a mixture of 589 and 603 nm lies
+    /// beyond it by 6e-5. The convex hull of its points lies at most 2.93e-4 of the way beyond it (at 394 nm, seen from D65).
     #[test]
     fn purities_of_light_lie_in_the_unit_interval(
         lines in prop::collection::vec((380.0..780.0f64, 0.0..1.0f64), 1..6),
@@ -206,8 +210,7 @@ proptest! {
         let xyz: Xyz = lines.iter().map(|(w, power)| Matching::Table1nm.at(*w) * *power).sum();
         let Some(seen) = xyy_from_xyz(xyz) else { return Ok(()) };
         if let Some(found) = daylight().dominant(seen.xy) {
-            // Between two rows a line's XYZ and its xy are both linear: the chord differs by up to 4e-4 from the other.
-            prop_assert!(found.purity > 0.0 && found.purity <= 1.0 + 1e-6, "{found:?}");
+            prop_assert!(found.purity > 0.0 && found.purity <= 1.0 + 2.93e-4 + gamma(100), "{found:?}");
         }
     }
 
@@ -220,13 +223,11 @@ proptest! {
             Some(partner) => {
                 prop_assume!(partner < 698.0);
                 let back = wheel.complementary(partner).expect("there is the way back");
-                // The partner's own error turns the ray back.
-                let turn = |a: f64| gamma(60) / sharpness(a);
-                let tolerance = 2.0 * sharpness(w) + 2.0 * sharpness(partner) * turn(partner) / turn(w);
-                prop_assert!((back - w).abs() <= tolerance, "{w} {partner} {back}");
+                // Both ways err by an angle of γ₆₀ each, there and back, which at the end counts in wavelengths at w.
+                prop_assert!((back - w).abs() <= 4.0 * sharpness(w), "{w} {partner} {back}");
                 // And white lies between them.
                 let (a, b) = (line(w) - D65, line(partner) - D65);
-                prop_assert!(a.dot(b) < 0.0 && a.perp_dot(b).abs() <= 1e-12);
+                prop_assert!(a.dot(b) < 0.0 && a.perp_dot(b).abs() <= gamma(100));
             }
         }
     }
@@ -237,7 +238,7 @@ proptest! {
         let (wheel, locus, d) = (daylight(), Locus::of(Matching::Table1nm), dvec2(x, y) - D65);
         let scan = locus.points().windows(2).enumerate().find_map(|(i, p)| {
             let (a, b) = ((p[0] - D65).perp_dot(d), (p[1] - D65).perp_dot(d));
-            let met = a >= 0.0 && b < 0.0 && (p[0] - D65).dot(d) > 0.0;
+            let met = a < 0.0 && b >= 0.0 && (p[0] - D65).dot(d) > 0.0;
             met.then(|| locus.wavelength(i) + a / (a - b))
         });
         match (wheel.dominant(dvec2(x, y)).map(|d| d.rim), scan) {
@@ -286,7 +287,9 @@ proptest! {
             // Two matrices and a mixture: some hundreds of roundings, over the purity that is left.
             let tolerance = 20.0 * size * sharpness(w) / found.purity.min(purity);
             prop_assert!((wavelength(Some(found)) - w).abs() <= tolerance, "{w}: {found:?}");
-            prop_assert!(luminance(IntoGamut::Clip.apply(rgb)) > 1.0, "clipping adds light");
+            // Clipping adds the light that the negative channel took.
+            let added = -LUMINANCE.dot(rgb.min(Rgb::ZERO));
+            prop_assert!((luminance(IntoGamut::Clip.apply(rgb)) - 1.0 - added).abs() <= size * gamma(60));
         }
     }
 
@@ -295,6 +298,7 @@ proptest! {
     fn mixtures_lie_between_their_parts(a in cube(), b in cube()) {
         let (p, q) = (xyy_from_xyz(xyz_from_rgb(a)), xyy_from_xyz(xyz_from_rgb(b)));
         let (Some(p), Some(q), Some(m)) = (p, q, xyy_from_xyz(xyz_from_rgb(a + b))) else { return Ok(()) };
+        prop_assume!(a.max_element().min(b.max_element()) > 1e-280);
         prop_assert!((q.xy - p.xy).perp_dot(m.xy - p.xy).abs() <= gamma(200));
         prop_assert!(in_triangle(Primaries::REC_709.corners().map(|c| D65 + (c - D65) * (1.0 + 1e-12)), m.xy));
     }
