@@ -60,10 +60,11 @@ fn main() -> Result {
             (way.method(), sweep(&budgets, REPETITIONS, truth, mean))
         })
         .into();
-    let batch = (lesson.pick([1024, 16_384, 65_536, 262_144]), lesson.seed());
+    let batch = (lesson.pick([8192, 16_384, 65_536, 262_144]), lesson.seed());
     let widths = log_spaced(0.01, 1.0, lesson.pick([4, 9, 13, 17]));
     let spread: Contest = Sampler4::ALL.map(|way| (way.method(), speed::scatter(way, &widths, batch))).into();
-    let rivals = speed::rivals(lesson.pick([64, 512, 1024, 1024]), lesson.seed()).map_err(wrong)?;
+    let rivals = speed::rivals(lesson.pick([(64, 2), (512, 12), (1024, 18), (1024, 18)]), lesson.seed())
+        .map_err(wrong)?;
     let cells = maps::naive_against_default(lesson.pick([10, 40, 80, 120]));
 
     // 3. The figures.

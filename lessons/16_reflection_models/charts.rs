@@ -124,11 +124,11 @@ pub fn reciprocity(contestants: &[(Method, Model)], seed: u64) -> Figure {
         (Method::as_printed("(4.6) as printed, as a BRDF"), lightbench::bsdf::CosinePrinted.into()),
         (Method::new("Phong of 1975, over the cosine"), over_cosine()),
     ];
-    let pairs: Vec<_> = (0..4000)
+    let pairs: Vec<_> = (0..4000u32)
         .map(|i| {
             let mut s = Sampler::new(seed, 2, i);
             let (wo, any) = (uniform_hemisphere(s.next_2d()), uniform_hemisphere(s.next_2d()));
-            (if i % 2 == 0 { (mirror(wo) + any * 0.5).normalize() } else { any }, wo)
+            (if i.is_multiple_of(2) { (mirror(wo) + any * 0.5).normalize() } else { any }, wo)
         })
         .collect();
     let mut table = Table::new(&["Model", "claims", "largest difference", "median"])

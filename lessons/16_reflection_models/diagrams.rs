@@ -224,11 +224,11 @@ fn printed_lobe() -> std::result::Result<Figure, ParameterError> {
         0.9 * as_printed::cosine_lobe_as_printed(u, DVec3::Z, DVec3::new(v.x, 0.0, v.y), 4.0)
     };
     let cut = lobe(&Phong::new(4.0)?.into(), light, 0.9 * 6.0 / (2.0 * PI), |f, _| f);
-    let diagram = Diagram::new(dvec2(-1.1, -0.1), dvec2(1.1, 0.62))
+    let diagram = Diagram::new(dvec2(-1.1, -0.1), dvec2(1.2, 0.62))
         .ground(DVec2::ZERO, DVec2::Y)
         .path(Light::Transmitted, &cut)
         .spot(Light::Transmitted, at(light) * (0.9 * 6.0 / (2.0 * PI)))
-        .word("cut off at 90° from the mirror direction")
+        .word("cut off at zero")
         .path(Light::Other, &polar(|d| if d < light - 90.0 { value(d) } else { 0.0 }))
         .spot(Light::Other, at(-60.0) * value(-60.0))
         .word("as printed: a second lobe")

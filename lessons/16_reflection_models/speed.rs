@@ -88,7 +88,7 @@ pub struct Rival {
 }
 
 /// Times and errors: each fast form against its exact one, which errs by nothing.
-pub fn rivals(pairs: u32, seed: u64) -> Result<Vec<Rival>, ParameterError> {
+pub fn rivals((pairs, angles): (u32, u32), seed: u64) -> Result<Vec<Rival>, ParameterError> {
     let pairs: Vec<Directions> = (0..pairs).map(|i| pair(seed, i)).collect();
     let facets = |s, f| CookTorrance::new(0.4, Distribution::Beckmann, s, f).map(Model::from);
     let ggx = |f| CookTorrance::ggx(0.4, f).map(Model::from);
@@ -112,7 +112,9 @@ pub fn rivals(pairs: u32, seed: u64) -> Result<Vec<Rival>, ParameterError> {
     ];
     Ok(all
         .into_iter()
-        .map(|(name, style, model, exact, other)| rival(name, style, &model, (&exact, other), &pairs))
+        .map(|(name, style, model, exact, other)| {
+            rival(name, style, &model, (&exact, other), (&pairs, angles))
+        })
         .collect())
 }
 
@@ -121,7 +123,7 @@ fn rival(
     style: usize,
     model: &Model,
     (exact, other): (&Model, &'static str),
-    pairs: &[Directions],
+    (pairs, angles): (&[Directions], u32),
 ) -> Rival {
     let relative = |g: &Directions| {
         let (found, truth) = (model.value(g), exact.value(g));
@@ -137,7 +139,7 @@ fn rival(
         method: Method::new(name).styled(style),
         series: Series::new(vec![point]),
         exact: other,
-        albedo: (0..18).map(|k| off(5.0 * f64::from(k))).fold(0.0, f64::max),
+        albedo: (0..angles).map(|k| off(90.0 * f64::from(k) / f64::from(angles))).fold(0.0, f64::max),
     }
 }
 

@@ -143,14 +143,14 @@ fn coloured(tint: Rgb, model: impl Into<Model>) -> Result<Lobes, ParameterError>
 
 pub fn save(lesson: &Lesson) -> Result<(), LessonError> {
     let wrong = |e: ParameterError| LessonError::Other(e.to_string());
-    let (size, samples) = lesson.pick([(24, 4), (150, 36), (280, 144), (420, 400)]);
+    let (size, samples) = lesson.pick([(24, 4), (150, 64), (280, 196), (420, 484)]);
     let shot = Shot { size, samples, seed: lesson.seed(), exposure: 1.5 };
     let bright = |m: &Lobes| lit(m, shot);
     let dim = |m: &Lobes| lit(m, Shot { exposure: 0.75, ..shot });
     lesson.save("three_surfaces", three(&bright).map_err(wrong)?)?;
     lesson.save("spheres", all(&bright).map_err(wrong)?)?;
     lesson.save("roughness", roughness(&dim).map_err(wrong)?)?;
-    lesson.save("furnace_spheres", in_furnace(shot, lesson.pick([16, 96, 128, 256])).map_err(wrong)?)
+    lesson.save("furnace_spheres", in_furnace(shot, lesson.pick([8, 64, 128, 256])).map_err(wrong)?)
 }
 
 /// [B 7.8].

@@ -52,11 +52,11 @@ fn pairs(name: &str) -> impl Iterator<Item = (DVec3, DVec3)> {
     (0..2000).map(move |i| {
         let mut s = Sampler::new(seed, 0, i);
         let mut wo = uniform_hemisphere(s.next_2d());
-        if i % 5 == 0 {
+        if i.is_multiple_of(5) {
             wo = DVec3::new(wo.x, wo.y, wo.z * 1e-6).normalize();
         }
         let mut wi = uniform_hemisphere(s.next_2d());
-        if i % 2 == 0 {
+        if i.is_multiple_of(2) {
             wi = (mirror(wo) + wi * s.next_1d() * 0.3).normalize();
         }
         (wi, wo)

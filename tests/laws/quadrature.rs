@@ -22,7 +22,8 @@ fn polynomials_are_exact_at_once() {
 
 #[test]
 fn hard_integrands_end_within_their_error() {
-    let cases: [(&str, fn(f64) -> f64, f64); 5] = [
+    type Case = (&'static str, fn(f64) -> f64, f64);
+    let cases: [Case; 5] = [
         ("root", f64::sqrt, 2.0 / 3.0),
         ("pole", |x| 1.0 / x.sqrt(), 2.0),
         ("jump", |x| if x < 1.0 / 3.0 { 1.0 } else { 0.0 }, 1.0 / 3.0),
