@@ -142,7 +142,8 @@ pub fn narrow(centers: u32, seed: u64) -> Figure {
 pub fn grey(colours: u32, seed: u64) -> Figure {
     let chromas = log_spaced(1.0e-7, 0.5, 14);
     let levels = |n: f64| move |x: f64| srgb_decode((srgb_encode(x) * n).round() / n);
-    let stores: [(&str, Box<dyn Fn(f64) -> f64>); 4] = [
+    type Store = Box<dyn Fn(f64) -> f64>;
+    let stores: [(&str, Store); 4] = [
         ("8 bits, sRGB", Box::new(levels(255.0))),
         ("16 bits, sRGB", Box::new(levels(65535.0))),
         ("f32, linear", Box::new(|x| f64::from(x as f32))),
