@@ -119,7 +119,7 @@ pub fn narrow(centers: u32, seed: u64) -> Figure {
         Axis::log("standard deviation of the line, nm"),
         "error of luminance, relative: median, worst",
     )
-    .title("A step misses lines narrower than half of it; wider ones it finds to a thousandth")
+    .title("A step misses lines narrower than half of it; those as wide as itself it finds to two thousandths")
     .subtitle(&format!("{centers} lines at random places between 450 and 650 nm; truth: the table at 1 nm, straight between its rows"));
     for (i, step) in [1.0, 5.0, 10.0, 20.0].into_iter().enumerate() {
         let series = Series::over(&widths, |width| {
