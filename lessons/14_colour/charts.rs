@@ -119,7 +119,7 @@ pub fn narrow(centers: u32, seed: u64) -> Figure {
         Axis::log("standard deviation of the line, nm"),
         "error of luminance, relative: median, worst",
     )
-    .title("A step misses lines narrower than half of it; wider ones it finds to a thousandth")
+    .title("A step misses lines narrower than half of it; those as wide as itself it finds to two thousandths")
     .subtitle(&format!("{centers} lines at random places between 450 and 650 nm; truth: the table at 1 nm, straight between its rows"));
     for (i, step) in [1.0, 5.0, 10.0, 20.0].into_iter().enumerate() {
         let series = Series::over(&widths, |width| {
@@ -142,7 +142,8 @@ pub fn narrow(centers: u32, seed: u64) -> Figure {
 pub fn grey(colours: u32, seed: u64) -> Figure {
     let chromas = log_spaced(1.0e-7, 0.5, 14);
     let levels = |n: f64| move |x: f64| srgb_decode((srgb_encode(x) * n).round() / n);
-    let stores: [(&str, Box<dyn Fn(f64) -> f64>); 4] = [
+    type Store = Box<dyn Fn(f64) -> f64>;
+    let stores: [(&str, Store); 4] = [
         ("8 bits, sRGB", Box::new(levels(255.0))),
         ("16 bits, sRGB", Box::new(levels(65535.0))),
         ("f32, linear", Box::new(|x| f64::from(x as f32))),
