@@ -125,7 +125,9 @@ fn scattering(seed: u64) -> Figure {
     let diagram = diagram
         .note(dvec2(0.6, -0.41), "inside the material")
         .title("In a matt material light wanders, and leaves in a direction that has forgotten how it came")
-        .subtitle(&format!("{left} random walks of photons that come out again; the others are absorbed"));
+        .subtitle(&format!(
+            "{left} random walks among those that come out in view; the ways out are drawn at random too"
+        ));
     Figure::from(diagram).caption("Light scattered inside a diffuse material, after B, 7.10: the reason why Lambert's surface sends the same radiance everywhere.")
 }
 

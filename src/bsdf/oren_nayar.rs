@@ -35,7 +35,7 @@ pub enum OrenNayarForm {
 /// - Domain: `ρ` in [0,1], finite `σ ≥ 0`; σ = 0 is Lambert.
 /// - Accuracy: a few `u`, relative; all large terms are positive.
 /// - It claims no conservation: with ρ = 1 a little more than everything comes back near grazing.
-/// - The full form's fit dips below 0 where dark surfaces with steep slopes (σ > 0.6) are lit and seen at grazing angles
+/// - The full form's fit dips below 0 where dark surfaces with steep slopes (σ > 0.66 as ρ → 0) are lit and seen at grazing angles
 ///   from opposite sides: `value` gives the published number, `eval` and `sample` end at 0, the albedo counts the dip.
 /// - Source: Oren & Nayar, *Generalization of Lambert's Reflectance Model* (1994), (27)–(30).
 #[derive(Clone, Copy, Debug, PartialEq)]
