@@ -54,12 +54,12 @@ impl Aabb {
     /// A ray parallel to a slab and inside it gives −∞…∞ there; on the slab's face `0·∞ = NaN` would
     /// arise, and such a ray counts as inside: the comparisons below discard NaN in the ray's
     /// favour, so that a bound never loses a hit. Roundings may shave the ends, so the exit is
-    /// widened by `1 + 2γ₃` (three roundings in each `(x − o)·(1/d)`).
+    /// widened by 2γ₃ of itself (three roundings in each `(x − o)·(1/d)`), also where it lies behind the origin.
     ///
     /// - Source: Ize, *Robust BVH Ray Traversal*, JCGT 2(2) (2013).
     #[inline]
     pub fn slab(&self, origin: DVec3, inv_direction: DVec3, t_min: f64, t_max: f64) -> Option<(f64, f64)> {
-        const WIDEN: f64 = 1.0 + 2.0 * crate::num::gamma(3);
+        const WIDEN: f64 = 2.0 * crate::num::gamma(3);
         let (mut t0, mut t1) = (t_min, t_max);
         for axis in 0..3 {
             let a = (self.min[axis] - origin[axis]) * inv_direction[axis];
@@ -68,11 +68,15 @@ impl Aabb {
             if near > t0 {
                 t0 = near;
             }
-            let far = far * WIDEN;
+            let far = far + far.abs() * WIDEN;
             if far < t1 {
                 t1 = far;
             }
+            // Most boxes are missed by their first slab or two.
+            if !(t0 <= t1) {
+                return None;
+            }
         }
-        (t0 <= t1).then_some((t0, t1))
+        Some((t0, t1))
     }
 }

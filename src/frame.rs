@@ -144,13 +144,19 @@ pub fn rotation_about(axis: DVec3, angle: f64) -> Option<DMat3> {
 /// - Domain: `None` if `m` squashes the surface's normal to nothing (singular), or `n = 0`.
 /// - Source: Turkowski, *Properties of Surface-Normal Transformations*, Graphics Gems (1990).
 pub fn transform_normal(m: &DMat3, n: DVec3) -> Option<DVec3> {
+    unit(normal_matrix(m)? * n)
+}
+
+/// The matrix of [`transform_normal`] but for a positive factor: the cofactors, with the sign of the determinant.
+///
+/// - Domain: `None` for a matrix that is singular or not finite.
+pub fn normal_matrix(m: &DMat3) -> Option<DMat3> {
     let largest = m.x_axis.abs().max(m.y_axis.abs()).max(m.z_axis.abs()).max_element();
     if largest == 0.0 || !largest.is_finite() {
         return None;
     }
     let (x, y, z) = (m.x_axis / largest, m.y_axis / largest, m.z_axis / largest);
-    let (yz, zx, xy) = (y.cross(z), z.cross(x), x.cross(y));
-    let det = x.dot(yz);
-    let along = yz * n.x + zx * n.y + xy * n.z;
-    unit(if det < 0.0 { -along } else { along }).filter(|_| det != 0.0)
+    let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
+    let det = x.dot(cofactors.x_axis);
+    (det != 0.0).then(|| cofactors * det.signum())
 }

@@ -5,6 +5,7 @@
 //! (where along the ray), and then describes one of them as a [`Hit`] (point, normal, coordinates).
 
 use crate::color::Rgb;
+use crate::num::U;
 use glam::{DVec2, DVec3};
 
 /// The half line `o + t d`, `t > 0`.
@@ -78,27 +79,18 @@ pub struct Hit {
 impl Hit {
     /// Origin for a ray that leaves this hit towards `direction`, on that side of the surface.
     ///
-    /// The point moves along `ng` by its error bound and then one step to the next
-    /// floating-point number in each coordinate, so that the origin lies strictly on the
-    /// right side whatever the scale of the scene; nothing is ever skipped by name.
+    /// The point moves along `ng` by its error bound and by what the sum itself rounds, at most `u` of each
+    /// coordinate, so that the origin lies on the right side whatever the scale of the scene; nothing is ever
+    /// skipped by name.
     ///
-    /// - Source: Pharr, Jakob & Humphreys, *Physically Based Rendering* (2016) §3.9.5.
+    /// - Source: after Pharr, Jakob & Humphreys, *Physically Based Rendering* (2016) §3.9.5.
+    #[inline]
     pub fn origin_towards(&self, direction: DVec3) -> DVec3 {
         let side = if direction.dot(self.ng) < 0.0 { -self.ng } else { self.ng };
-        // |x|+|y|+|z| ≥ 1 for unit vectors: each coordinate's own error is covered along the normal.
-        let reach = self.point_error * (side.x.abs() + side.y.abs() + side.z.abs());
-        let moved = self.point + side * reach;
-        DVec3::new(step_away(moved.x, side.x), step_away(moved.y, side.y), step_away(moved.z, side.z))
-    }
-}
-
-fn step_away(x: f64, towards: f64) -> f64 {
-    if towards > 0.0 {
-        x.next_up()
-    } else if towards < 0.0 {
-        x.next_down()
-    } else {
-        x
+        // Along the normal an error e of each coordinate counts |nx| e + |ny| e + |nz| e, which is at least e;
+        // the sum errs by u of the moved point, which 2 u of the point cover.
+        let error = self.point_error + 2.0 * U * self.point.abs().max_element();
+        self.point + side * (error * side.abs().element_sum())
     }
 }
 
@@ -190,13 +182,17 @@ impl Tally {
         self.rays.iter().sum()
     }
 
-    /// Adds another count to this one.
-    pub fn add(&mut self, other: &Tally) {
-        for (sum, n) in self.rays.iter_mut().zip(other.rays) {
+    /// Both counts together.
+    pub fn plus(&self, other: &Tally) -> Tally {
+        let mut rays = self.rays;
+        for (sum, n) in rays.iter_mut().zip(other.rays) {
             *sum += n;
         }
-        self.shape_tests += other.shape_tests;
-        self.node_visits += other.node_visits;
+        Tally {
+            rays,
+            shape_tests: self.shape_tests + other.shape_tests,
+            node_visits: self.node_visits + other.node_visits,
+        }
     }
 }
 

@@ -139,7 +139,7 @@ impl Integrator for NaiveBias {
         if scene.blocker(&Ray::new(origin, to), 1.0, trace).is_some() {
             return Rgb::ZERO;
         }
-        scene.materials[scene.objects[object].material].diffuse
+        scene.materials[scene.objects[object].material(hit.part)].diffuse
             * light.power
             * (hit.ng.dot(to) / to.length()).max(0.0)
     }

@@ -75,7 +75,7 @@ fn scene(shape: ClippedQuadric, colour: DVec3) -> Scene {
     scene.materials = vec![matt(DVec3::splat(0.86)), matt(colour)];
     let floor = Cuboid::new(dvec3(-60.0, -60.0, -1.2), dvec3(60.0, 60.0, -1.01)).expect("a floor");
     scene.objects =
-        vec![Object::new("floor", Box::new(floor), 0), Object::new("quadric", Box::new(shape), 1)];
+        vec![Object::new("floor", Box::new(floor), 0), Object::new("quadric", Box::new(shape), 1)].into();
     let (at, size): (DVec3, DVec2) = (dvec3(2.6, -3.6, 5.6), dvec2(1.6, 1.6));
     let lamp = AreaLight::new(at, -at, 0.0, size, DVec3::splat(0.86), Falloff::None).expect("a lamp");
     scene.lights = vec![Light::Area(lamp.subdivided(2, 2, Placement::Jittered))];

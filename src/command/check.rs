@@ -1,7 +1,7 @@
 //! `lightbench check`: is this scene file right, and what is in it?
 
 use crate::light::Light;
-use crate::scene_file::{Color, SceneFile, read_file};
+use crate::scene_file::{Color, SceneFile, csg, read_file};
 use std::path::Path;
 
 /// What there is to say about a scene file.
@@ -15,6 +15,9 @@ pub struct CheckReport {
 
 /// Reads a scene file and says everything that can be said about it without drawing it.
 pub fn check(path: &Path, color: Color) -> CheckReport {
+    if path.extension().is_some_and(|e| e == "csg") {
+        return check_csg(path, color);
+    }
     match read_file(path) {
         Ok(file) => {
             let text = file.remarks.render(color) + &summary(&path.display().to_string(), &file);
@@ -26,6 +29,25 @@ pub fn check(path: &Path, color: Color) -> CheckReport {
             CheckReport { text, problems }
         }
     }
+}
+
+/// Reads a tree of solids, says everything that can be said about it, and shows it.
+fn check_csg(path: &Path, color: Color) -> CheckReport {
+    let name = path.display();
+    let file = match csg::read_file(path) {
+        Ok(file) => file,
+        Err(error) => {
+            let problems = error.problems();
+            let text = error.render(color) + &format!("{name}: {}\n", counted(problems, "error"));
+            return CheckReport { text, problems };
+        }
+    };
+    let problems = file.remarks.errors().count();
+    let verdict = if problems == 0 { "right".to_string() } else { counted(problems, "error") };
+    let (operations, solids) = file.counts();
+    let counts = format!("{}, {}", counted(operations, "operation"), counted(solids, "solid"));
+    let text = format!("{}{name}: {verdict}\n  {counts}\n{}", file.remarks.render(color), file.outline());
+    CheckReport { text, problems }
 }
 
 /// What is in a right file, in a few lines.

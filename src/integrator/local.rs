@@ -13,6 +13,7 @@ use crate::light::{AreaLight, Falloff, Light, Placement, PointLight};
 use crate::ray::{Hit, Ray, RayKind, Trace, Work};
 use crate::sample::Sampler;
 use crate::scene::{Material, Met, Scene};
+use crate::shape::Shape;
 use crate::shape::fan::{Ends, Fan, LANES, Lanes, Vectors, vectorised};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_1_PI, PI};
@@ -85,10 +86,13 @@ impl Integrator for Local {
             Some(Met::Object(i, crossing)) => {
                 let hit = scene.hit(ray, i, &crossing);
                 trace.hit(i, &hit);
-                let material = &scene.materials[scene.objects[i].material];
+                let material = &scene.materials[scene.objects[i].material(hit.part)];
                 match self.stage {
                     Stage::Visibility => material.diffuse,
-                    stage => Lighting { stage, scene, sampler, scratch, trace }.leaving(ray, &hit, material),
+                    stage => {
+                        let mut lighting = Lighting { stage, scene, sampler, scratch, trace };
+                        lighting.leaving(ray, &hit, scene.objects[i].shape(), material)
+                    }
                 }
             }
         };
@@ -108,9 +112,12 @@ struct Lighting<'a, T> {
 
 impl<T: Trace> Lighting<'_, T> {
     /// Radiance that leaves the hit towards the ray's origin.
-    fn leaving(&mut self, ray: &Ray, hit: &Hit, material: &Material) -> Rgb {
-        let n = if ray.direction.dot(hit.ng) > 0.0 { -hit.n } else { hit.n };
-        let from = Place { origin: hit.origin_towards(n), n, weight: material.diffuse };
+    fn leaving(&mut self, ray: &Ray, hit: &Hit, shape: &dyn Shape, material: &Material) -> Rgb {
+        let side = if ray.direction.dot(hit.ng) > 0.0 { -1.0 } else { 1.0 };
+        let n = hit.n * side;
+        let lifted = Hit { point: shape.lifted(hit, n), ..*hit };
+        // A smooth normal may lean over the facet's horizon: the facet says which side is seen.
+        let from = Place { origin: lifted.origin_towards(hit.ng * side), n, weight: material.diffuse };
         let mut irradiance = Rgb::ZERO;
         for (i, light) in self.scene.lights.iter().enumerate() {
             irradiance += match light {

@@ -283,6 +283,20 @@ pub fn solve_quadratic<T: Scalar>(a: T, b: T, c: T) -> Result<Roots<T>, Uncertai
     }
 }
 
+/// Has `a t² + 2 b t + c` certainly no root `t > 0`? A "no" may be wrong.
+///
+/// Without a change of sign in the coefficients all roots lie behind (Descartes), and without a positive
+/// discriminant there are none. `c` is the one number that vanishes for rays that start on the surface: its
+/// sign is asked of `exact_c` where its bound does not tell.
+#[inline]
+pub fn no_root_ahead([a, b, c]: [Bounded; 3], exact_c: impl FnOnce() -> i8) -> bool {
+    let Ok(way @ (-1 | 1)) = a.sign() else { return false };
+    match b.sign() {
+        Ok(along) if along == way => c.sign().unwrap_or_else(|Uncertain| exact_c()) * way >= 0,
+        _ => c.sign() == Ok(way) && (b * b - a * c).sign() == Ok(-1),
+    }
+}
+
 /// A vector of such numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vector<T>(pub [T; 3]);

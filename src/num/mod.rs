@@ -7,10 +7,12 @@ pub mod double_double;
 pub mod expansion;
 pub mod polynomial;
 pub mod quadratic;
+pub mod quadrature;
 pub mod quartic;
 pub mod real;
 pub mod statistics;
 pub mod sum;
+pub mod vectors;
 
 /// Unit roundoff `u = 2⁻⁵³` of `f64`: the largest relative error of one rounding to nearest.
 pub const U: f64 = f64::EPSILON / 2.0;

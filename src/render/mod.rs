@@ -10,9 +10,10 @@ pub use replay::{Recorder, Traced};
 use crate::color::Rgb;
 use crate::film::Image;
 use crate::integrator::Integrator;
-use crate::ray::{Silent, Tally, Trace};
+use crate::ray::{Ray, Silent, Tally, Trace};
 use crate::sample::Sampler;
-use crate::scene::Scene;
+use crate::scene::{Scene, View};
+use arrayvec::ArrayVec;
 use glam::DVec2;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -44,11 +45,6 @@ impl Picture {
         } else {
             crate::sample::r2(0, s)
         }
-    }
-
-    /// [`Picture::offset`] of every sample.
-    fn offsets(&self) -> Vec<DVec2> {
-        (0..self.samples).map(|s| self.offset(s)).collect()
     }
 }
 
@@ -113,61 +109,77 @@ fn render_tiles<I: Integrator>(
     picture: Picture,
     control: Control,
 ) -> Result<Rendered, RenderError> {
-    let Picture { width, height, .. } = picture;
-    let columns = width.div_ceil(TILE);
-    let tiles = picture.tiles();
     let done = AtomicU64::new(0);
-    let offsets = picture.offsets();
-    let work = |tile: usize| {
-        let (x0, y0) = (tile % columns * TILE, tile / columns * TILE);
+    let job = Job::new(scene, integrator, picture);
+    let mut image = Image::new(picture.width, picture.height);
+    let tiles = tiles_of(&mut image);
+    let count = tiles.len() as f64;
+    let work = |tile: Tile| {
         let mut tally = Tally::default();
         let mut scratch = integrator.scratch(scene);
-        let mut pixels = Vec::with_capacity(TILE * TILE);
-        for y in y0..(y0 + TILE).min(height) {
-            for x in x0..(x0 + TILE).min(width) {
-                if control.stop.load(Ordering::Relaxed) {
-                    return None;
-                }
-                pixels.push(pixel(scene, integrator, (picture, &offsets), (x, y), &mut scratch, &mut tally));
+        let (x, y) = tile.corner;
+        for (y, row) in (y..).zip(tile.rows) {
+            if control.stop.load(Ordering::Relaxed) {
+                return None;
             }
+            job.row((x, y), row, &mut scratch, &mut tally);
         }
         let done = 1 + done.fetch_add(1, Ordering::Relaxed);
-        (control.progress)(done as f64 / tiles as f64);
-        Some((pixels, tally))
+        (control.progress)(done as f64 / count);
+        Some(tally)
     };
-    let finished: Option<Vec<_>> = (0..tiles).into_par_iter().with_max_len(1).map(work).collect();
-    let finished = finished.ok_or(RenderError::Interrupted)?;
-    let mut image = Image::new(width, height);
-    let mut tally = Tally::default();
-    for (tile, (pixels, tile_tally)) in finished.iter().enumerate() {
-        tally.add(tile_tally);
-        let (x0, y0) = (tile % columns * TILE, tile / columns * TILE);
-        let across = TILE.min(width - x0);
-        for (i, value) in pixels.iter().enumerate() {
-            image.set(x0 + i % across, y0 + i / across, *value);
-        }
-    }
+    let tallies = tiles.into_par_iter().with_max_len(1).map(work);
+    let tally =
+        tallies.try_reduce(Tally::default, |a, b| Some(a.plus(&b))).ok_or(RenderError::Interrupted)?;
     Ok(Rendered { image, tally })
 }
 
-/// Radiance of one pixel: the mean over its samples, added in their order; `offsets` are [`Picture::offsets`].
-fn pixel<I: Integrator, T: Trace>(
-    scene: &Scene,
-    integrator: &I,
-    (picture, offsets): (Picture, &[DVec2]),
-    (x, y): (usize, usize),
-    scratch: &mut I::Scratch,
-    trace: &mut T,
-) -> Rgb {
-    let mut sum = Rgb::ZERO;
-    for (s, &offset) in (0..).zip(offsets) {
-        let raster = DVec2::new(x as f64, y as f64) + offset;
-        let ray = scene.camera.ray(raster, picture.width, picture.height);
-        let index = (y * picture.width + x) as u64;
-        let mut sampler = Sampler::new(picture.seed, index, s);
-        sum += integrator.radiance(scene, &ray, &mut sampler, scratch, trace);
+/// What all pixels of a picture share.
+struct Job<'a, I> {
+    scene: &'a Scene,
+    integrator: &'a I,
+    picture: Picture,
+    view: View,
+    /// [`Picture::offset`] of every sample.
+    offsets: Vec<DVec2>,
+}
+
+impl<'a, I: Integrator> Job<'a, I> {
+    fn new(scene: &'a Scene, integrator: &'a I, picture: Picture) -> Self {
+        let offsets = (0..picture.samples).map(|s| picture.offset(s)).collect();
+        Job { scene, integrator, picture, view: scene.camera.view(picture.width, picture.height), offsets }
     }
-    sum / f64::from(picture.samples)
+
+    /// Adds up the radiance of a tile's row from `(x, y)` on: each pixel the mean over its samples, in their order.
+    ///
+    /// The rays of a row are made together, so that the processor overlaps their roots and quotients.
+    fn row<T: Trace>(
+        &self,
+        (x, y): (usize, usize),
+        row: &mut [Rgb],
+        scratch: &mut I::Scratch,
+        trace: &mut T,
+    ) {
+        for (s, &offset) in (0..).zip(&self.offsets) {
+            let raster = |x: usize| DVec2::new(x as f64, y as f64) + offset;
+            let rays: ArrayVec<Ray, TILE> = (x..x + row.len()).map(|x| self.view.ray(raster(x))).collect();
+            for ((x, sum), ray) in (x..).zip(&mut *row).zip(&rays) {
+                let index = (y * self.picture.width + x) as u64;
+                let mut sampler = Sampler::new(self.picture.seed, index, s);
+                *sum += self.integrator.radiance(self.scene, ray, &mut sampler, scratch, trace);
+            }
+        }
+        for sum in row {
+            *sum /= f64::from(self.picture.samples);
+        }
+    }
+
+    /// One pixel.
+    fn pixel<T: Trace>(&self, at: (usize, usize), trace: &mut T) -> Rgb {
+        let mut value = [Rgb::ZERO];
+        self.row(at, &mut value, &mut self.integrator.scratch(self.scene), trace);
+        value[0]
+    }
 }
 
 /// Renders one pixel again and returns its value with every ray, hit and weight on the way.
@@ -177,13 +189,31 @@ pub fn replay<I: Integrator>(
     picture: Picture,
     at: (usize, usize),
 ) -> (Rgb, Vec<Traced>) {
-    let offsets = picture.offsets();
-    let mut recorder = Recorder::default();
-    let value =
-        pixel(scene, integrator, (picture, &offsets), at, &mut integrator.scratch(scene), &mut recorder);
-    debug_assert_eq!(
-        value,
-        pixel(scene, integrator, (picture, &offsets), at, &mut integrator.scratch(scene), &mut Silent)
-    );
+    let (job, mut recorder) = (Job::new(scene, integrator, picture), Recorder::default());
+    let value = job.pixel(at, &mut recorder);
+    debug_assert_eq!(value, job.pixel(at, &mut Silent));
     (value, recorder.into_rays())
+}
+
+/// A square of the picture: its corner, and its rows in the image.
+struct Tile<'a> {
+    corner: (usize, usize),
+    rows: ArrayVec<&'a mut [Rgb], TILE>,
+}
+
+/// The picture in tiles, row by row.
+fn tiles_of(image: &mut Image) -> Vec<Tile<'_>> {
+    let width = image.width().max(1); // without pixels there are no tiles
+    let mut tiles: Vec<Tile> = Vec::new();
+    for (i, band) in image.pixels_mut().chunks_mut(width * TILE).enumerate() {
+        let first = tiles.len();
+        let corners = (0..width).step_by(TILE).map(|x| (x, i * TILE));
+        tiles.extend(corners.map(|corner| Tile { corner, rows: ArrayVec::new() }));
+        for row in band.chunks_mut(width) {
+            for (tile, part) in tiles[first..].iter_mut().zip(row.chunks_mut(TILE)) {
+                tile.rows.push(part);
+            }
+        }
+    }
+    tiles
 }

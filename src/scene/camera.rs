@@ -86,18 +86,54 @@ impl Camera {
         self.field_of_view
     }
 
-    /// The ray through a raster point: (0,0) is the picture's upper left corner, pixel centres lie at halves.
-    pub fn ray(&self, raster: DVec2, width: usize, height: usize) -> Ray {
+    /// The camera before a picture of `width × height` square pixels, with what its rays share computed once.
+    pub fn view(&self, width: usize, height: usize) -> View {
         let size = DVec2::new(width as f64, height as f64);
-        let ndc = ndc_from_raster(raster, size);
-        let screen = self.field_of_view.screen(ndc, size.x / size.y, self.slope);
-        let camera = camera_from_screen(screen);
-        Ray::new(self.position, self.world_from_camera(camera).normalize())
+        // The same as the chain of the four spaces: (2 ndc − 1) · aspect · slope = (2x − width) · slope/height.
+        let half_pixel = match self.field_of_view {
+            FieldOfView::Vertical(_) => self.slope / size.y,
+            FieldOfView::Horizontal(_) => self.slope / size.x,
+        };
+        View {
+            position: self.position,
+            size,
+            right: self.frame.right * half_pixel,
+            up: self.frame.up * half_pixel,
+            forward: self.frame.forward,
+        }
+    }
+
+    /// The ray through a raster point of a picture; many of one picture share a [`Camera::view`].
+    pub fn ray(&self, raster: DVec2, width: usize, height: usize) -> Ray {
+        self.view(width, height).ray(raster)
     }
 
     /// A direction from camera space (x right, y up, −z forward) to the world.
     pub fn world_from_camera(&self, v: DVec3) -> DVec3 {
         self.frame.right * v.x + self.frame.up * v.y - self.frame.forward * v.z
+    }
+}
+
+/// A camera before one picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    position: DVec3,
+    /// Of the picture [pixels].
+    size: DVec2,
+    /// Along half a pixel on the image plane at distance 1.
+    right: DVec3,
+    up: DVec3,
+    forward: DVec3,
+}
+
+impl View {
+    /// The ray through a raster point: (0,0) is the picture's upper left corner, pixel centres lie at halves.
+    ///
+    /// The ray through the picture's centre is exactly the forward direction.
+    #[inline]
+    pub fn ray(&self, raster: DVec2) -> Ray {
+        let across = self.right * (2.0 * raster.x - self.size.x) + self.up * (self.size.y - 2.0 * raster.y);
+        Ray::new(self.position, (across + self.forward).normalize())
     }
 }
 

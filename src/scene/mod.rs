@@ -1,20 +1,20 @@
 //! A scene: camera, objects with their materials, lights, background.
 
 mod camera;
+mod objects;
 pub mod pinhole;
 
 pub use camera::{
-    Camera, CameraError, FieldOfView, camera_from_screen, ndc_from_raster, obscura_from_camera,
+    Camera, CameraError, FieldOfView, View, camera_from_screen, ndc_from_raster, obscura_from_camera,
     screen_from_ndc,
 };
 
-use crate::bounds::Aabb;
+pub use objects::{Object, Objects};
+
 use crate::color::Rgb;
 use crate::light::Light;
-use crate::ray::{Crossing, Hit, Ray, Trace, Work};
-use crate::shape::Shape;
+use crate::ray::{Crossing, Hit, Ray, Trace};
 use crate::shape::fan::Fan;
-use glam::DVec3;
 
 /// How a surface looks. The parameters and defaults of [D §4.6].
 #[derive(Clone, Debug, PartialEq)]
@@ -53,47 +53,12 @@ impl Default for Material {
     }
 }
 
-/// A shape made of a material.
-#[derive(Debug)]
-pub struct Object {
-    /// What messages call it: `Sphere` and where it was declared, or the name a lesson gives it.
-    pub name: String,
-    /// Index into [`Scene::materials`].
-    pub material: usize,
-    shape: Box<dyn Shape>,
-    bounds: Aabb,
-    /// Does a ray look at the bounds before it is tested against the shape?
-    guarded: bool,
-}
-
-impl Object {
-    pub fn new(name: impl Into<String>, shape: Box<dyn Shape>, material: usize) -> Self {
-        let bounds = shape.bounds();
-        let guarded = shape.is_costly() && bounds.is_finite();
-        Object { name: name.into(), material, shape, bounds, guarded }
-    }
-
-    /// Does the ray certainly miss the object? `inv_direction` is `1/d`.
-    #[inline]
-    fn is_passed_by(&self, ray: &Ray, inv_direction: DVec3, t_max: f64) -> bool {
-        self.guarded && self.bounds.slab(ray.origin, inv_direction, 0.0, t_max).is_none()
-    }
-
-    pub fn shape(&self) -> &dyn Shape {
-        &*self.shape
-    }
-
-    pub fn bounds(&self) -> &Aabb {
-        &self.bounds
-    }
-}
-
 /// Everything a ray can meet.
 #[derive(Debug)]
 pub struct Scene {
     pub camera: Camera,
     pub materials: Vec<Material>,
-    pub objects: Vec<Object>,
+    pub objects: Objects,
     pub lights: Vec<Light>,
     /// Radiance where a ray meets nothing.
     pub background: Rgb,
@@ -116,31 +81,17 @@ impl Scene {
         Scene {
             camera,
             materials: Vec::new(),
-            objects: Vec::new(),
+            objects: Objects::default(),
             lights: Vec::new(),
             background: Rgb::ZERO,
             ambient: Rgb::ZERO,
         }
     }
 
-    /// The nearest object along a ray with `0 < t < t_max`.
+    /// The nearest object along a ray with `0 < t < t_max`; of equally near ones the first in order of declaration.
     #[inline]
-    pub fn nearest<T: Trace>(&self, ray: &Ray, mut t_max: f64, trace: &mut T) -> Option<(usize, Crossing)> {
-        let inv_direction = ray.direction.recip();
-        let mut nearest = None;
-        let mut tests = 0;
-        for (i, object) in self.objects.iter().enumerate() {
-            if object.is_passed_by(ray, inv_direction, t_max) {
-                continue;
-            }
-            tests += 1;
-            if let Some(crossing) = object.shape.nearest(ray, 0.0, t_max) {
-                t_max = crossing.t;
-                nearest = Some((i, crossing));
-            }
-        }
-        trace.count(Work::ShapeTest, tests);
-        nearest
+    pub fn nearest<T: Trace>(&self, ray: &Ray, t_max: f64, trace: &mut T) -> Option<(usize, Crossing)> {
+        self.objects.nearest(ray, t_max, trace)
     }
 
     /// What a camera or reflected ray meets: objects, and the rectangles of area lights, which shadow
@@ -163,31 +114,17 @@ impl Scene {
 
     /// Details of a crossing that [`Scene::nearest`] found.
     pub fn hit(&self, ray: &Ray, object: usize, crossing: &Crossing) -> Hit {
-        self.objects[object].shape.hit(ray, crossing)
+        self.objects[object].shape().hit(ray, crossing)
     }
 
-    /// The first object, in order of declaration, that stands between the ends of a segment: `0 < t < t_max`.
+    /// An object that stands between the ends of a segment: `0 < t < t_max`. An active listener is told the first in
+    /// order of declaration, whatever structure the scene has.
     pub fn blocker<T: Trace>(&self, segment: &Ray, t_max: f64, trace: &mut T) -> Option<usize> {
-        let inv_direction = segment.direction.recip();
-        let mut tests = 0;
-        let blocker = self.objects.iter().position(|object| {
-            if object.is_passed_by(segment, inv_direction, t_max) {
-                return false;
-            }
-            tests += 1;
-            object.shape.blocks(segment, t_max)
-        });
-        trace.count(Work::ShapeTest, tests);
-        blocker
+        self.objects.blocker(segment, t_max, trace)
     }
 
     /// Puts 0 into `lit[i]` for every segment of the fan that something stands in the way of.
     pub fn shade<T: Trace>(&self, fan: &Fan, lit: &mut [f64], trace: &mut T) {
-        for object in &self.objects {
-            if object.bounds.overlaps(&fan.hull) && object.shape.may_block(fan) {
-                trace.count(Work::ShapeTest, fan.len() as u64);
-                object.shape.shade(fan, lit);
-            }
-        }
+        self.objects.shade(fan, lit, trace);
     }
 }

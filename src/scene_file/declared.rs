@@ -1,7 +1,7 @@
 //! Names: declared once, before they are used; and blocks that stand too often, or lack something.
 
 use super::diagnostic::{Diagnostic, Span, quoted};
-use super::format::{Default, Kind, Names, Role, State};
+use super::format::{Default, Kind, Names, Param, Role, State};
 use super::parse::{Block, Entry};
 use super::suggest::nearest;
 
@@ -18,24 +18,52 @@ struct Declared<'a> {
 pub fn check(blocks: &[Block], log: &mut Vec<Diagnostic>) {
     let declared = declarations(blocks, log);
     for (i, block) in blocks.iter().enumerate() {
-        if block.rule.state == State::Planned {
-            let message = format!("`{}` is not supported yet", block.rule.name);
+        if block.rule.role == Role::Operation {
+            let message = format!("`{}` stands outside of any `CSG`", block.rule.name);
             let d = Diagnostic::error(block.keyword.clone(), message);
-            log.push(d.help("without it the picture would be wrong, so nothing is drawn"));
+            log.push(d.expected("it inside the braces of a `CSG`, or in a `.csg` file"));
         }
-        for param in block.rule.params.iter().filter(|p| p.default == Default::Required) {
-            if block.closed && block.entry(param.name).is_none() {
-                let message = format!("`{}` has no `{}`", block.rule.name, param.name);
-                let d = Diagnostic::error(block.keyword.clone(), message).expected(param.kind.all());
-                log.push(d.help(format!("write `{} {}` in it", param.name, param.values)));
-            }
-        }
-        for entry in &block.entries {
-            if let Kind::Reference(names) = entry.param.kind {
-                log.extend(reference(entry, names, i, blocks, &declared));
-            }
+        log.extend(material_missing(block));
+        inside(block, i, blocks, &declared, log);
+    }
+}
+
+/// Checks a block and those inside of it; they count as standing where the outermost stands.
+fn inside(block: &Block, at: usize, blocks: &[Block], declared: &[Declared], log: &mut Vec<Diagnostic>) {
+    if block.rule.state == State::Planned {
+        let message = format!("`{}` is not supported yet", block.rule.name);
+        let d = Diagnostic::error(block.keyword.clone(), message);
+        log.push(d.help("without it the picture would be wrong, so nothing is drawn"));
+    }
+    lacking(block, log);
+    for entry in &block.entries {
+        if let Kind::Reference(names) = entry.param.kind {
+            log.extend(reference(entry, names, at, blocks, declared));
         }
     }
+    block.children.iter().for_each(|inner| inside(inner, at, blocks, declared, log));
+}
+
+/// What a block requires and does not have, but for its material, which the leaves of a tree may leave to the tree.
+pub fn lacking(block: &Block, log: &mut Vec<Diagnostic>) {
+    let required = |p: &&Param| p.default == Default::Required && !is_material(p);
+    log.extend(block.rule.params.iter().filter(required).filter_map(|param| missing(block, param)));
+}
+
+fn is_material(param: &Param) -> bool {
+    param.kind == Kind::Reference(Names::Material)
+}
+
+fn material_missing(block: &Block) -> Option<Diagnostic> {
+    let required = |p: &&Param| p.default == Default::Required && is_material(p);
+    block.rule.params.iter().find(required).and_then(|param| missing(block, param))
+}
+
+fn missing(block: &Block, param: &Param) -> Option<Diagnostic> {
+    let message = format!("`{}` has no `{}`", block.rule.name, param.name);
+    let d = Diagnostic::error(block.keyword.clone(), message).expected(param.kind.all());
+    let d = d.help(format!("write `{} {}` in it", param.name, param.values));
+    (block.closed && block.entry(param.name).is_none()).then_some(d)
 }
 
 fn declarations<'a>(blocks: &'a [Block], log: &mut Vec<Diagnostic>) -> Vec<Declared<'a>> {

@@ -27,6 +27,8 @@ pub enum Role {
     /// Any number, each with its own name.
     Named(Names),
     Object,
+    /// What is made of solids: inside a `CSG`, or in a `.csg` file.
+    Operation,
     Light,
 }
 
@@ -233,6 +235,16 @@ pub struct Rule {
 }
 
 impl Rule {
+    /// May that block stand inside of this one?
+    pub fn may_hold(&self, inner: &Rule) -> bool {
+        self.holds_solids() && matches!(inner.role, Role::Operation | Role::Object)
+    }
+
+    /// May blocks stand inside of this one at all?
+    pub fn holds_solids(&self) -> bool {
+        self.role == Role::Operation || self.name == "CSG"
+    }
+
     /// The parameter of that name, or with that misprint.
     pub fn param(&self, name: &str) -> Option<&'static Param> {
         self.params.iter().find(|p| p.name == name || p.alias == Some(name))

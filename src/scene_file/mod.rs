@@ -9,9 +9,11 @@
 
 mod blocks;
 mod build;
+pub mod csg;
 mod declared;
 mod diagnostic;
 mod format;
+pub mod obj;
 mod parse;
 mod pending;
 mod reference;
@@ -28,6 +30,7 @@ pub use render::Color;
 pub use source::{LARGEST_FILE, ReadError, read_bytes, read_file};
 
 use crate::scene::Scene;
+use std::path::Path;
 
 /// Which settings of the picture a file gives itself; the rest are the document's defaults, which a quality
 /// that was asked for may replace.
@@ -92,15 +95,16 @@ impl SceneFile {
     }
 }
 
-/// Reads a scene from its text; `name` is what messages call the file.
+/// Reads a scene from its text; `name` is what messages call the file, and the files it names are looked for beside it.
 ///
 /// - Errors: everything that is wrong, and the warnings and notes with it.
 pub fn read(source: &str, name: &str) -> Result<SceneFile, Diagnostics> {
     let mut log = Vec::new();
     let tokens = token::tokens(source, &mut log);
     let parsed = parse::parse(source, &tokens, &mut log);
-    let built = build::build(source, &parsed, &mut log);
-    let remarks = Diagnostics::new(name, source, log);
+    let folder = Path::new(name).parent().unwrap_or(Path::new(""));
+    let (built, files) = build::build(source, folder, &parsed, &mut log);
+    let remarks = Diagnostics::new(name, source, log).with_files(files);
     match built {
         Some((scene, settings)) if remarks.errors().next().is_none() => {
             Ok(SceneFile { scene, settings, remarks })

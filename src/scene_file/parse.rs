@@ -28,6 +28,8 @@ pub struct Block {
     /// The line of the block's name, from 1.
     pub line: usize,
     pub entries: Vec<Entry>,
+    /// The solids inside.
+    pub children: Vec<Block>,
     /// Was its `}` there? If not, parameters may be missing without anybody's fault.
     pub closed: bool,
 }
@@ -90,7 +92,8 @@ pub struct Parsed {
 
 /// Reads all blocks of a file.
 pub fn parse(source: &str, tokens: &[Token], log: &mut Vec<Diagnostic>) -> Parsed {
-    let mut parser = Parser { source, tokens, at: 0, log, lines: LineCounter::default() };
+    let mut parser =
+        Parser { source, tokens, at: 0, log, lines: LineCounter::default(), depth: 0, cut: false };
     let mut parsed = Parsed { blocks: Vec::new(), lost: 0 };
     while parser.peek().is_some() {
         match parser.block() {
@@ -125,7 +128,14 @@ struct Parser<'a, 'l> {
     at: usize,
     log: &'l mut Vec<Diagnostic>,
     lines: LineCounter,
+    /// Blocks around this place.
+    depth: usize,
+    /// Was what stood too deep left out, and its braces with it?
+    cut: bool,
 }
+
+/// Most blocks inside one another.
+const DEEPEST: usize = 256;
 
 impl<'a> Parser<'a, '_> {
     fn peek(&self) -> Option<&'a Token<'a>> {
@@ -147,6 +157,12 @@ impl<'a> Parser<'a, '_> {
     fn at_next_block(&self) -> bool {
         let named = |t: &Token| t.starts_line || rule(t.text).is_some();
         self.at_block() && self.peek().is_some_and(named)
+    }
+
+    /// Does a block begin here that belongs inside of that one? An unknown name may have been meant so.
+    fn at_inner_block(&self, outer: &Rule) -> bool {
+        let belongs = |t: &Token| rule(t.text).is_none_or(|inner| outer.may_hold(inner));
+        outer.holds_solids() && self.at_block() && self.peek().is_some_and(belongs)
     }
 
     /// What stands here, for messages.
@@ -262,7 +278,8 @@ impl<'a> Parser<'a, '_> {
     /// The parameters, and the `}`.
     fn body(&mut self, name: &Token, rule: &'static Rule) -> Block {
         let line = self.lines.at(self.source, name.span.start);
-        let mut block = Block { rule, keyword: name.span.clone(), line, entries: Vec::new(), closed: false };
+        let (keyword, entries, children) = (name.span.clone(), Vec::new(), Vec::new());
+        let mut block = Block { rule, keyword, line, entries, children, closed: false };
         loop {
             match self.peek() {
                 Some(token) if token.kind == TokenKind::Close => {
@@ -270,7 +287,9 @@ impl<'a> Parser<'a, '_> {
                     block.closed = true;
                     break;
                 }
+                Some(token) if self.at_inner_block(rule) => self.inner_block(token, &mut block),
                 Some(_) if !self.at_next_block() => self.entry(&mut block),
+                None if self.cut => break,
                 next => {
                     self.log.push(unclosed(&block, next));
                     break;
@@ -278,6 +297,21 @@ impl<'a> Parser<'a, '_> {
             }
         }
         block
+    }
+
+    /// A block inside of a block, unless there are too many around it.
+    fn inner_block(&mut self, name: &Token, outer: &mut Block) {
+        if self.depth == DEEPEST {
+            let d = Diagnostic::error(name.span.clone(), format!("`{}` stands too deep", name.text));
+            self.log.push(d.expected(format!("at most {DEEPEST} blocks inside one another")));
+            self.at += 2;
+            self.skip_braces();
+            self.cut = true;
+            return;
+        }
+        self.depth += 1;
+        outer.children.extend(self.block());
+        self.depth -= 1;
     }
 
     /// One parameter with its values, or one mistake.

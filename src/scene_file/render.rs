@@ -31,6 +31,7 @@ impl Diagnostics {
         if self.list.len() > SHOWN {
             out.push_str(&format!("{name}: … and {} more\n", self.list.len() - SHOWN));
         }
+        self.files.iter().for_each(|file| out.push_str(&file.render(color)));
         out
     }
 }

@@ -15,8 +15,8 @@ pub const LARGEST_FILE: u64 = 16 << 20;
 pub enum ReadError {
     #[error("{}: cannot be read: {source}", path.display())]
     Unreadable { path: PathBuf, source: io::Error },
-    #[error("{}: longer than {} MiB, the most that is read as a scene file", path.display(), LARGEST_FILE >> 20)]
-    TooLarge { path: PathBuf },
+    #[error("{}: longer than {} MiB, the most that is read of such a file", path.display(), most >> 20)]
+    TooLarge { path: PathBuf, most: u64 },
     #[error("{}", .0.render(Color::Never))]
     Wrong(Diagnostics),
 }
@@ -33,7 +33,10 @@ impl ReadError {
     /// Number of errors.
     pub fn problems(&self) -> usize {
         match self {
-            ReadError::Wrong(diagnostics) => diagnostics.errors().count(),
+            ReadError::Wrong(diagnostics) => {
+                let of = |d: &Diagnostics| d.errors().count();
+                of(diagnostics) + diagnostics.files.iter().map(of).sum::<usize>()
+            }
             _ => 1,
         }
     }
@@ -41,14 +44,25 @@ impl ReadError {
 
 /// Reads a scene from a file; messages call it by its path as given.
 pub fn read_file(path: &Path) -> Result<SceneFile, ReadError> {
+    read_bytes(&contents(path, LARGEST_FILE)?, &path.display().to_string()).map_err(ReadError::Wrong)
+}
+
+/// The bytes of a file, unless there are more than `most`.
+fn contents(path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
     let unreadable = |source| ReadError::Unreadable { path: path.to_owned(), source };
     let file = File::open(path).map_err(unreadable)?;
     let mut bytes = Vec::new();
-    file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() as u64 > LARGEST_FILE {
-        return Err(ReadError::TooLarge { path: path.to_owned() });
+    file.take(most + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > most {
+        return Err(ReadError::TooLarge { path: path.to_owned(), most });
     }
-    read_bytes(&bytes, &path.display().to_string()).map_err(ReadError::Wrong)
+    Ok(bytes)
+}
+
+/// The text of a file of at most so many bytes.
+pub(super) fn text(path: &Path, most: u64) -> Result<String, ReadError> {
+    let wrong = |bytes: &[u8], at| ReadError::Wrong(not_utf8(bytes, at, &path.display().to_string()));
+    String::from_utf8(contents(path, most)?).map_err(|e| wrong(e.as_bytes(), e.utf8_error().valid_up_to()))
 }
 
 /// Reads a scene from bytes, which must be UTF-8.

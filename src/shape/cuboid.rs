@@ -62,10 +62,6 @@ impl Cuboid {
 }
 
 impl Shape for Cuboid {
-    fn is_costly(&self) -> bool {
-        false
-    }
-
     #[inline]
     fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
         let (enter, leave) = self.roots(ray)?;

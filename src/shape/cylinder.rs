@@ -44,6 +44,16 @@ impl Cylinder {
         self.0.p1()
     }
 
+    /// The unit vector from `p0` to `p1`.
+    pub fn axis(&self) -> DVec3 {
+        self.0.axis()
+    }
+
+    /// Distance from `p0` to `p1`.
+    pub fn height(&self) -> f64 {
+        self.0.height()
+    }
+
     pub fn radius(&self) -> f64 {
         self.0.r0()
     }

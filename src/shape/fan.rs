@@ -6,6 +6,8 @@
 
 use crate::bounds::Aabb;
 use crate::num::gamma;
+pub use crate::num::vectors::Vectors;
+pub(crate) use crate::num::vectors::vectorised;
 use glam::DVec3;
 
 /// Segments tested together.
@@ -66,16 +68,6 @@ pub struct Fan {
     /// Holds every segment.
     pub hull: Aabb,
     pub vectors: Vectors,
-}
-
-/// Which instructions the tests of a fan may use.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Vectors {
-    /// The widest that the processor has.
-    #[default]
-    Widest,
-    /// Those of the default target.
-    Baseline,
 }
 
 /// [`LANES`] directions.
@@ -161,34 +153,6 @@ impl Fan {
         x.iter().zip(y).zip(z).map(|((x, y), z)| Lanes { x, y, z })
     }
 }
-
-/// Compiles a function twice, for the default target and for AVX2, and calls the one that its first
-/// argument allows and the processor has.
-///
-/// Rust never contracts a product and a sum by itself, so both round alike and give the same bits.
-macro_rules! vectorised {
-    ($(#[$doc:meta])* $visibility:vis fn $name:ident($($argument:ident: $kind:ty),* $(,)?) $body:block) => {
-        $(#[$doc])*
-        $visibility fn $name(vectors: $crate::shape::fan::Vectors, $($argument: $kind),*) {
-            #[inline(always)]
-            fn body($($argument: $kind),*) $body
-            #[cfg(target_arch = "x86_64")]
-            #[target_feature(enable = "avx2")]
-            fn avx2($($argument: $kind),*) {
-                body($($argument),*);
-            }
-            #[cfg(target_arch = "x86_64")]
-            if vectors == $crate::shape::fan::Vectors::Widest && std::arch::is_x86_feature_detected!("avx2") {
-                // SAFETY: the processor has AVX2.
-                unsafe { avx2($($argument),*) };
-                return;
-            }
-            let _ = vectors; // read on x86-64 only
-            body($($argument),*);
-        }
-    };
-}
-pub(crate) use vectorised;
 
 vectorised! {
     fn subtract(to: &mut [f64], from: &[f64], origin: f64, shorten: f64) {

@@ -2,7 +2,7 @@
 
 use super::{Shape, ShapeError, Solid};
 use crate::bounds::Aabb;
-use crate::frame::{transform_normal, unit};
+use crate::frame::{normal_matrix, unit};
 use crate::num::gamma;
 use crate::ray::{Crossing, Hit, Ray, Span};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
@@ -15,6 +15,8 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 pub struct Instance<S: ?Sized + Shape = dyn Shape> {
     to_world: DAffine3,
     to_local: DAffine3,
+    /// Takes normals to the world, but for their length.
+    normals: DMat3,
     /// Sum of the magnitudes of each row, the largest: how much the maps stretch a coordinate's error.
     world_stretch: f64,
     local_stretch: f64,
@@ -34,8 +36,24 @@ impl<S: ?Sized + Shape> Instance<S> {
         if !(m.determinant().abs() > gamma(9) * size) || !to_local.is_finite() {
             return Err(ShapeError::Flat { what: "transformation" });
         }
+        let normals = normal_matrix(&m).ok_or(ShapeError::Flat { what: "transformation" })?;
         let (world_stretch, local_stretch) = (stretch(&m), stretch(&to_local.matrix3));
-        Ok(Instance { to_world, to_local, world_stretch, local_stretch, shape })
+        Ok(Instance { to_world, to_local, normals, world_stretch, local_stretch, shape })
+    }
+
+    /// A box round the image of a box.
+    fn mapped(&self, b: Aabb) -> Aabb {
+        if b.is_empty() || !b.is_finite() {
+            return if b.is_empty() { b } else { Aabb::EVERYTHING };
+        }
+        let corner = |i: usize| {
+            let pick = |axis: usize| if i >> axis & 1 == 0 { b.min[axis] } else { b.max[axis] };
+            self.to_world.transform_point3(DVec3::new(pick(0), pick(1), pick(2)))
+        };
+        let mapped = Aabb::of_points((0..8).map(corner));
+        let largest = b.min.abs().max(b.max.abs()).max_element();
+        let slack = gamma(8) * (self.world_stretch * largest + self.to_world.translation.abs().max_element());
+        Aabb::new(mapped.min - slack, mapped.max + slack)
     }
 
     fn local(&self, ray: &Ray) -> Ray {
@@ -63,14 +81,14 @@ impl<S: ?Sized + Shape> Shape for Instance<S> {
         let point = self.to_world.transform_point3(local.point);
         let map_back =
             self.local_stretch * (point.abs().max_element() + self.to_world.translation.abs().max_element());
-        let ng = transform_normal(m, local.ng).unwrap_or(local.ng);
+        let ng = unit(self.normals * local.ng).unwrap_or(local.ng);
         let tangent = unit(*m * local.tangent).unwrap_or(local.tangent);
         Hit {
             point,
             point_error: self.world_stretch
                 * (local.point_error + gamma(8) * (local.point.abs().max_element() + map_back)),
             ng,
-            n: if local.n == local.ng { ng } else { transform_normal(m, local.n).unwrap_or(ng) },
+            n: if local.n == local.ng { ng } else { unit(self.normals * local.n).unwrap_or(ng) },
             tangent: unit(tangent - ng * tangent.dot(ng)).unwrap_or(tangent),
             ..local
         }
@@ -81,28 +99,34 @@ impl<S: ?Sized + Shape> Shape for Instance<S> {
     }
 
     fn bounds(&self) -> Aabb {
-        let b = self.shape.bounds();
-        if b.is_empty() || !b.is_finite() {
-            return if b.is_empty() { b } else { Aabb::EVERYTHING };
-        }
-        let corner = |i: usize| {
-            let pick = |axis: usize| if i >> axis & 1 == 0 { b.min[axis] } else { b.max[axis] };
-            self.to_world.transform_point3(DVec3::new(pick(0), pick(1), pick(2)))
-        };
-        let mapped = Aabb::of_points((0..8).map(corner));
-        let largest = b.min.abs().max(b.max.abs()).max_element();
-        let slack = gamma(8) * (self.world_stretch * largest + self.to_world.translation.abs().max_element());
-        Aabb::new(mapped.min - slack, mapped.max + slack)
+        self.mapped(self.shape.bounds())
+    }
+
+    fn parts(&self) -> u32 {
+        self.shape.parts()
     }
 
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
         self.shape.blocks(&self.local(ray), t_max)
+    }
+
+    fn lifted(&self, hit: &Hit, n: DVec3) -> DVec3 {
+        // Normals go back with the transpose of the map, as they came with its inverse.
+        let back = |n: DVec3| unit(self.to_world.matrix3.transpose() * n).unwrap_or(n);
+        let point = self.to_local.transform_point3(hit.point);
+        let local = Hit { point, ng: back(hit.ng), n: back(hit.n), ..*hit };
+        let lifted = self.shape.lifted(&local, back(n));
+        if lifted == point { hit.point } else { self.to_world.transform_point3(lifted) }
     }
 }
 
 impl<S: ?Sized + Solid> Solid for Instance<S> {
     fn spans(&self, ray: &Ray, out: &mut Vec<Span>) {
         self.shape.spans(&self.local(ray), out);
+    }
+
+    fn hull(&self) -> Aabb {
+        self.mapped(self.shape.hull())
     }
 
     fn contains(&self, p: DVec3) -> bool {

@@ -21,6 +21,7 @@ use fan::Fan;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 use std::fmt::Debug;
+use std::sync::Arc;
 
 /// Why a surface cannot be made from these numbers.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -49,6 +50,12 @@ pub enum ShapeError {
     OutOfRange { what: &'static str, allowed: &'static str, found: f64 },
     #[error("polygon: expected at least 3 vertices, found {found}")]
     TooFewVertices { found: usize },
+    #[error("menger: expected a depth of at most {allowed}, found {found}")]
+    TooDeep { allowed: u32, found: u32 },
+    #[error(
+        "menger: expected cells of at least {least} m, which rounding can tell apart there, found {found} m"
+    )]
+    TooFine { least: f64, found: f64 },
     #[error("polygon: expected vertices within {allowed} of one plane, found one at {found}")]
     NotFlat { allowed: f64, found: f64 },
 }
@@ -137,6 +144,11 @@ pub trait Shape: Debug + Send + Sync {
     /// A box that holds the surface, rounded outwards; infinite for unbounded surfaces.
     fn bounds(&self) -> Aabb;
 
+    /// How many parts its crossings name, from 0 on: the leaves of a compound, else one.
+    fn parts(&self) -> u32 {
+        1
+    }
+
     /// Does something stand in the way for some `0 < t < t_max`?
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
         self.nearest(ray, 0.0, t_max).is_some()
@@ -145,6 +157,12 @@ pub trait Shape: Debug + Send + Sync {
     /// Is a look at the box that bounds it cheaper than a test of the shape, so that it comes first?
     fn is_costly(&self) -> bool {
         true
+    }
+
+    /// Where light is gathered that a shape's smooth normals `n` (on the side that is seen) let it show: the hit's point, or a
+    /// place near it from which a coarse shape does not stand in its own light.
+    fn lifted(&self, hit: &Hit, _n: DVec3) -> DVec3 {
+        hit.point
     }
 
     /// Could the shape stand in the way of some segment of a fan whose hull overlaps its bounds? A "no" is certain.
@@ -169,6 +187,11 @@ pub trait Solid: Shape {
     /// disjoint. A tangent touch is no stretch.
     fn spans(&self, ray: &Ray, out: &mut Vec<Span>);
 
+    /// A box that holds the solid: the [bounds](Shape::bounds) of its surface, unless the solid runs on beyond.
+    fn hull(&self) -> Aabb {
+        self.bounds()
+    }
+
     /// Is the point inside or on the surface?
     fn contains(&self, p: DVec3) -> bool;
 }
@@ -176,4 +199,53 @@ pub trait Solid: Shape {
 /// The span between two crossings; `None` where they touch, for a touch encloses nothing.
 fn span_of_pair(enter: Crossing, leave: Crossing) -> Option<Span> {
     (enter.t < leave.t).then_some(Span { enter, leave })
+}
+
+/// A shape that several owners share: the instances of one mesh.
+impl<S: Shape + ?Sized> Shape for Arc<S> {
+    fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
+        (**self).nearest(ray, t_min, t_max)
+    }
+
+    fn crossings(&self, ray: &Ray, out: &mut Vec<Crossing>) {
+        (**self).crossings(ray, out);
+    }
+
+    fn hit(&self, ray: &Ray, crossing: &Crossing) -> Hit {
+        (**self).hit(ray, crossing)
+    }
+
+    fn point_at(&self, face: u32, uv: DVec2) -> DVec3 {
+        (**self).point_at(face, uv)
+    }
+
+    fn bounds(&self) -> Aabb {
+        (**self).bounds()
+    }
+
+    fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
+        (**self).blocks(ray, t_max)
+    }
+
+    fn is_costly(&self) -> bool {
+        (**self).is_costly()
+    }
+
+    fn may_block(&self, fan: &Fan) -> bool {
+        (**self).may_block(fan)
+    }
+
+    fn shade(&self, fan: &Fan, lit: &mut [f64]) {
+        (**self).shade(fan, lit);
+    }
+}
+
+impl<S: Solid + ?Sized> Solid for Arc<S> {
+    fn spans(&self, ray: &Ray, out: &mut Vec<Span>) {
+        (**self).spans(ray, out);
+    }
+
+    fn contains(&self, p: DVec3) -> bool {
+        (**self).contains(p)
+    }
 }

@@ -3,6 +3,7 @@
 mod bench;
 mod check;
 mod compare;
+mod csg;
 mod interrupt;
 mod probe;
 mod quality;

@@ -64,11 +64,11 @@ pub fn speckle(width: usize, height: usize, salt: u64) -> Image {
 }
 
 /// On the gap of the published constants, 0.0031308 < l with a code ≤ 0.04045, decoding goes along
-/// the straight piece what encoding went along the power: by at most 2.85e-8 / 12.92.
+/// the straight piece what encoding went along the power. The power is the flatter of the two there, so that
+/// they are farthest apart at the gap's end, where the code is 0.04045: by 2.33e-9.
 fn gap(linear: f64) -> f64 {
     if linear > 0.0031308 && srgb_encode(linear) <= 0.04045 {
-        let jump = 12.92 * 0.0031308 - (1.055 * 0.0031308f64.powf(1.0 / 2.4) - 0.055);
-        jump / 12.92
+        ((0.04045f64 + 0.055) / 1.055).powf(2.4) - 0.04045 / 12.92
     } else {
         0.0
     }

@@ -3,24 +3,34 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod accel;
 mod architecture;
+mod brdf;
 mod certified;
+mod colour;
+mod csg;
+mod csg_files;
 mod figure;
 mod film;
 mod film_files;
 mod flat;
 mod frame;
+mod fresnel;
 mod julia;
 mod lessons;
 mod local;
 mod measure;
+mod menger;
+mod mesh;
 mod num;
 mod pinhole;
 mod polyhedron;
+mod quadrature;
 mod quadrics;
 mod sample;
 mod scene_file;
 mod scene_objects;
+mod sdf;
 mod shapes;
 mod sphere;
 mod statistics;

@@ -134,7 +134,7 @@ fn the_rooms_differ_in_their_light_only() {
         assert_eq!(other.scene.materials, area.scene.materials);
         assert_eq!(other.scene.camera, area.scene.camera);
         let bounds =
-            |f: &SceneFile| f.scene.objects.iter().map(|o| (*o.bounds(), o.material)).collect::<Vec<_>>();
+            |f: &SceneFile| f.scene.objects.iter().map(|o| (*o.bounds(), o.material(0))).collect::<Vec<_>>();
         assert_eq!(bounds(other), bounds(&area));
     }
 }
@@ -282,8 +282,10 @@ const MISTAKES: &[Mistake] = &[
     ("hello world 1 2 3", (5, 1), &["`hello` stands outside of any block"]),
     ("\u{1}\u{0}", (5, 1), &["control character U+0001", "byte", "first of 2"]),
     // Blocks to come.
-    ("Mesh { Material m Source \"bunny.obj\" Scale 2 2 2 }", (5, 1), &["`Mesh` is not supported yet"]),
-    ("CSG { Material m Source \"tree.csg\" }", (5, 1), &["`CSG` is not supported yet"]),
+    ("Mesh { Material m Source \"no_such.obj\" Scale 2 2 2 }", (5, 26), &["no_such.obj", "cannot be read"]),
+    ("Mesh { Material m }", (5, 1), &["`Mesh` has no `Source`"]),
+    ("Mesh { Material m Source \"a.obj\" Normals round }", (5, 42), &["`Normals` has no choice `round`"]),
+    ("CSG { Material m Source \"tree.csg\" }", (5, 25), &["tree.csg: cannot be read"]),
     (
         "Texture { Name t Source \"a#b.png\" }\nMaterial { Name a DiffuseTexture t }",
         (5, 1),

@@ -7,6 +7,7 @@ use lightbench::ray::Ray;
 use lightbench::render::{Picture, render};
 use lightbench::scene::{Object, Scene};
 use lightbench::scene_file::{Color, SceneFile, read, read_file, reference};
+use lightbench::sdf::Menger;
 use lightbench::shape::cone::Cone;
 use lightbench::shape::cylinder::Cylinder;
 use lightbench::shape::disc::Disc;
@@ -57,6 +58,7 @@ fn defaults_are_those_of_the_reference() {
     same("Disc { Material m }", Disc::new(O, Y, 1.0).unwrap());
     same("Torus { Material m Axis 0 0 1 }", Torus::new(1.0, 0.25).unwrap());
     assert_eq!(made("Torus { Material m }"), made("Torus { Material m Axis 0 7 0 Center 0 0 0 Minor 0.25 }"));
+    same("Menger { Material m }", Menger::new(O, 1.0, 3).unwrap());
     let slope = Coefficients { g: 0.5, ..Coefficients::default() };
     same("Quadric { Material m G 0.5 }", Quadric::new(slope).unwrap());
 }
@@ -85,6 +87,10 @@ fn every_number_arrives_where_it_belongs() {
     same(
         "Triangle { Material m V2 0 0 1 V1 0 1 0 V0 1 0 0 Sides both }",
         Triangle::new(X, Y, Z).unwrap().with_sides(Sides::Both),
+    );
+    same(
+        "Menger { Material m Depth 5 Edge 2 Center 1 2 3 Translation 0 0 1 }",
+        Menger::new(DVec3::new(1.0, 2.0, 4.0), 2.0, 5).unwrap(),
     );
     let (a, b, c, d, e) = (1.0, 2.0, 3.0, 4.0, 5.0);
     let (f, g, h, i, j) = (6.0, 7.0, 8.0, 9.0, 10.0);
@@ -174,7 +180,8 @@ fn transformations_are_those_of_instances() {
         let (name, rest) = text.split_once(' ').unwrap_or((text, ""));
         let file = right(&format!("{name} {{ Material m {rest} {lines} }}"));
         let mut by_hand = right("Sphere { Material m }").scene;
-        by_hand.objects = vec![Object::new("by hand", Box::new(Instance::new(shape, map).unwrap()), 0)];
+        by_hand.objects =
+            vec![Object::new("by hand", Box::new(Instance::new(shape, map).unwrap()), 0)].into();
         // A rounding of 2⁻⁵³ through some hundred operations, on radiances below 2.
         let tolerance = 1e3 * f64::EPSILON;
         assert_eq!(differing(&file.scene, &by_hand, tolerance), 0.0, "{text}");
@@ -249,6 +256,10 @@ const MISTAKES: &[(&str, (usize, usize), &[&str])] = &[
     ("Quadric { Material m A x }", (5, 24), &["not a number"]),
     ("Quadric { Material m A 1 ClipMin 0 0 0 ClipMax 1 0 1 }", (5, 48), &["clip box is empty", "below"]),
     ("Quadric { Material m A 1 ClipMin 0 0 }", (5, 26), &["2 of its 3 values"]),
+    ("Menger { Material m Depth 13 }", (5, 27), &["`Depth` is out of range", "a whole number from 0 to 12"]),
+    ("Menger { Material m Depth 1.5 }", (5, 27), &["whole number"]),
+    ("Menger { Material m Edge 0 }", (5, 26), &["`Edge` is out of range"]),
+    ("Menger { Material m Center 1e9 0 0 Edge 1e-8 }", (5, 1), &["this is no Menger", "cells of at least"]),
     ("Sphere { Material m Scale 1 1 0 }", (5, 31), &["other than 0"]),
     ("Torus { Material m Scale 1e-200 1 1 Scale 1e-200 1 1 }", (5, 1), &["this is no Torus", "flat"]),
     ("Cone { Material m Scale 1e200 1 1 Scale 1e200 1 1 }", (5, 1), &["this is no Cone", "finite"]),
@@ -274,7 +285,7 @@ fn every_mistake_is_told_in_its_place() {
 
 #[test]
 fn the_projects_scenes_of_surfaces_are_right() {
-    for (name, objects) in [("a123_all_surfaces", 15), ("p_torus", 2), ("p_shapes", 5)] {
+    for (name, objects) in [("a123_all_surfaces", 15), ("p_torus", 2), ("p_shapes", 5), ("e94_menger", 2)] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.scene"));
         let file = read_file(&path).unwrap_or_else(|e| panic!("{}", e.render(Color::Never)));
         assert!(file.remarks.is_empty(), "{}", file.remarks.render(Color::Never));

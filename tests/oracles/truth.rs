@@ -196,3 +196,39 @@ pub fn torus_roots(row: &Record, answer: &Record) -> Option<f64> {
     }
     Some(worst)
 }
+
+/// Spans `enter:leave;…`, as numbers.
+fn spans(text: &str) -> Vec<[f64; 2]> {
+    let number = |t: &str| t.parse().unwrap_or_else(|_| panic!("{text}"));
+    let span = |s: &str| s.split_once(':').map(|(a, b)| [number(a), number(b)]);
+    text.split(';').filter_map(span).collect()
+}
+
+/// Ends to 64 u of the reach of the ray (some 10) over a slant of 10⁻⁴ or more: 10⁻⁹. Rows in which only rounding decides
+/// whether a solid is touched are not judged; of faces that coincide, which is met is a rule of ours.
+pub fn csg_spans(row: &Record, answer: &Record) -> Option<f64> {
+    const ALLOWED: f64 = 1e-9;
+    let coincident = row.text("coincident") == "1";
+    let decided = row.number("margin").is_none_or(|m| m >= 1e-12) || coincident;
+    if row.text("degenerate") == "1" || row.text("tangent") == "1" || !decided {
+        return None;
+    }
+    let (want, got) = (spans(row.text("spans")), spans(answer.text("spans")));
+    if want.len() != got.len() {
+        return Some(f64::INFINITY);
+    }
+    let ends = want.iter().flatten().zip(got.iter().flatten());
+    let mut worst = ends.map(|(w, g)| (w - g).abs() / w.abs().max(1.0) / ALLOWED).fold(0.0, f64::max);
+    if !coincident {
+        worst = worst.max(relative(answer.number("first_hit"), row.number("first_hit")) / ALLOWED);
+        for axis in ["nx", "ny", "nz"] {
+            if let Some(n) = row.number(axis) {
+                let got = answer.number(axis).unwrap_or(f64::NAN);
+                // Normals of curved faces turn with the point: 10⁻⁹ over radii of 0.1 and more.
+                worst =
+                    if got.is_nan() { f64::INFINITY } else { worst.max((got - n).abs() / (1e3 * ALLOWED)) };
+            }
+        }
+    }
+    Some(worst)
+}

@@ -96,8 +96,8 @@ fn png(image: &Image, width: u32, height: u32, depth: png::BitDepth, metadata: &
     }
     let stored = image.pixels().iter().flat_map(|p| p.to_array()).map(|x| srgb_encode(x.clamp(0.0, 1.0)));
     let samples: Vec<u8> = match depth {
-        png::BitDepth::Sixteen => stored.flat_map(|s| ((s * 65535.0).round() as u16).to_be_bytes()).collect(),
-        _ => stored.map(|s| (s * 255.0).round() as u8).collect(),
+        png::BitDepth::Sixteen => stored.flat_map(|s| ((s * 65535.0 + 0.5) as u16).to_be_bytes()).collect(),
+        _ => stored.map(|s| (s * 255.0 + 0.5) as u8).collect(),
     };
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&samples)?;

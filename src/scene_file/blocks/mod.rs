@@ -4,6 +4,7 @@
 //! here, and its construction in `build`.
 
 mod objects;
+mod solids;
 
 use super::format::{Default, Domain, Kind, Names, Origin, Param, Role, Rule, State};
 
@@ -14,7 +15,7 @@ pub fn rule(name: &str) -> Option<&'static Rule> {
 
 /// Every block of the format, in the order of the reference.
 pub fn rules() -> impl Iterator<Item = &'static Rule> {
-    [WORLD, objects::OBJECTS, LIGHTS].into_iter().flatten()
+    [WORLD, objects::OBJECTS, solids::OPERATIONS, LIGHTS].into_iter().flatten()
 }
 
 /// Largest width or height of a picture [pixels].

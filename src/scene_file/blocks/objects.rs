@@ -1,9 +1,10 @@
 //! The blocks that describe objects.
 
-use super::{ANY, ONES, SOURCE, ZERO, length, number, point, triple};
+use super::{ANY, ONES, SOURCE, ZERO, integer, length, number, point, triple};
 use crate::scene_file::format::{Default, Domain, Kind, Names, Origin, Param, Role, Rule, State};
+use crate::sdf::Menger;
 
-const MATERIAL: Param = Param::new(
+pub(super) const MATERIAL: Param = Param::new(
     "Material",
     "name",
     Kind::Reference(Names::Material),
@@ -30,9 +31,9 @@ const SCALE: Param = Param::new(
 )
 .repeatable();
 
-const MOVED: Param = TRANSLATION.extension();
-const TURNED: Param = ROTATION.extension();
-const STRETCHED: Param = SCALE.extension();
+pub(super) const MOVED: Param = TRANSLATION.extension();
+pub(super) const TURNED: Param = ROTATION.extension();
+pub(super) const STRETCHED: Param = SCALE.extension();
 const SIDES: Param = Param::new(
     "Sides",
     "side",
@@ -270,16 +271,74 @@ pub const OBJECTS: &[Rule] = &[
             STRETCHED,
         ],
     ),
+    own(
+        "Menger",
+        "A Menger sponge: a cube cut into 27, of which seven are taken away, and so again with those that are left [E §2.3].",
+        &[
+            MATERIAL,
+            point("Center", ZERO, "its centre"),
+            length("Edge", &[1.0], "edge of the cube"),
+            Param::new(
+                "Depth",
+                "n",
+                integer(0, Menger::MOST_DEPTH as i64),
+                Default::Integers(&[3]),
+                "how often it is cut; 0 is the whole cube",
+            ),
+            MOVED,
+            TURNED,
+            STRETCHED,
+        ],
+    ),
     documented(
         "CSG",
-        State::Planned,
-        "Solids combined by union, intersection and difference, from a file [D §4.8].",
-        &[MATERIAL, SOURCE],
+        State::Supported,
+        "Solids combined by union, intersection and difference [D §4.8]: from a `.csg` file, or † written inside it, as \
+         `CSG { Material m  Difference { Box { } Sphere { Material n } } }`. Solids inside that name no material have \
+         that of what holds them. Solids are `Sphere`, `Box`, `Cylinder`, `Cone`, `Ellipsoid`, `Torus`, `Quadric` without clip \
+         box, and `Plane`, which is everything behind it.",
+        &[
+            MATERIAL,
+            Param::new("Source", "\"file\"", Kind::Text, Default::Absent, "the `.csg` file, beside this one"),
+            MOVED,
+            TURNED,
+            STRETCHED,
+        ],
     ),
     documented(
         "Mesh",
-        State::Planned,
-        "Triangles from an OBJ file, transformed in written order [D §4.9].",
-        &[MATERIAL, SOURCE, TRANSLATION, ROTATION, SCALE],
+        State::Supported,
+        "Polygons from an OBJ file, transformed in written order [D §4.9]. Without `Material` † its faces are made of the \
+         materials of the file's own libraries. A closed mesh is a solid: it may stand in a `CSG` †.",
+        &[
+            Param::new(
+                "Material",
+                "name",
+                Kind::Reference(Names::Material),
+                Default::Absent,
+                "a material declared above, for all faces",
+            ),
+            SOURCE,
+            TRANSLATION,
+            ROTATION,
+            SCALE,
+            Param::new(
+                "Normals",
+                "which",
+                Kind::Choice(&["file", "smooth", "flat"]),
+                Default::Word("file"),
+                "those of the file, and computed ones where it has none; all computed; or none, so that facets show",
+            )
+            .extension(),
+            Param::new(
+                "Crease",
+                "angle",
+                number(Domain::Closed(0.0, 180.0)),
+                Default::Numbers(&[50.0]),
+                "where computed: edges that bend by more than this stay sharp",
+            )
+            .unit("degrees")
+            .extension(),
+        ],
     ),
 ];

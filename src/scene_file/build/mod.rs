@@ -1,10 +1,12 @@
 //! From blocks to a scene: the only place that knows what becomes of each block.
 
+mod csg;
+mod mesh;
 mod objects;
 mod transformation;
 
 use super::blocks::{MOST_CELLS, MOST_PIXELS};
-use super::diagnostic::{Diagnostic, Severity};
+use super::diagnostic::{Diagnostic, Diagnostics, Severity, Span};
 use super::format::{Role, State};
 use super::parse::{Block, Parsed};
 use super::{Given, Settings, declared, pending};
@@ -12,9 +14,27 @@ use crate::color::Rgb;
 use crate::light::{AreaLight, Falloff, Light, Placement, PointLight};
 use crate::scene::{Camera, CameraError, FieldOfView, Material, Scene};
 use glam::{DVec2, DVec3};
+use std::path::Path;
 
-/// The scene, unless something is missing or wrong; what, is added to the log.
-pub fn build(source: &str, parsed: &Parsed, log: &mut Vec<Diagnostic>) -> Option<(Scene, Settings)> {
+/// The scene, unless something is missing or wrong, and what was found in the files of `folder` that it names; what is
+/// wrong with the scene's own text is added to the log.
+pub fn build(
+    source: &str,
+    folder: &Path,
+    parsed: &Parsed,
+    log: &mut Vec<Diagnostic>,
+) -> (Option<(Scene, Settings)>, Vec<Diagnostics>) {
+    let mut files = Vec::new();
+    (scene(source, folder, parsed, log, &mut files), files)
+}
+
+fn scene(
+    source: &str,
+    folder: &Path,
+    parsed: &Parsed,
+    log: &mut Vec<Diagnostic>,
+    files: &mut Vec<Diagnostics>,
+) -> Option<(Scene, Settings)> {
     let blocks = &parsed.blocks;
     declared::check(blocks, log);
     let settings_block = last(blocks, Role::Settings, log);
@@ -22,7 +42,7 @@ pub fn build(source: &str, parsed: &Parsed, log: &mut Vec<Diagnostic>) -> Option
     let settings = settings_block.map_or(Settings::default(), |b| settings(b, log));
     let camera = camera_block.and_then(|b| camera(b, log));
     let materials: Vec<_> = of(blocks, Role::is_material).map(|b| (b, material(b))).collect();
-    let objects = objects::objects(blocks, &materials, log);
+    let (objects, found) = objects::objects(blocks, folder, &materials, log, files);
     let lights: Vec<_> = of(blocks, |r| r == Role::Light).filter_map(|b| light(b, log)).collect();
     missing(source, parsed, log);
     let mut scene = Scene::new(camera?);
@@ -32,11 +52,17 @@ pub fn build(source: &str, parsed: &Parsed, log: &mut Vec<Diagnostic>) -> Option
     }
     let remark = log.iter().all(|d| d.severity != Severity::Error); // what is wrong comes first
     log.extend(pending::note(&settings, settings_block, &materials).filter(|_| remark));
-    scene.materials = materials.into_iter().map(|(_, m)| m).collect();
-    scene.objects = objects;
+    scene.materials = materials.into_iter().map(|(_, m)| m).chain(found).collect();
+    scene.objects = objects.into();
     scene.lights = lights;
     log.extend(darkness(&scene, blocks).filter(|_| remark));
     Some((scene, settings))
+}
+
+/// Was a value already found wrong as a word, so that what it names is not to be trusted?
+fn is_spoilt(value: &Span, log: &[Diagnostic]) -> bool {
+    let overlaps = |d: &Diagnostic| d.span.start < value.end && value.start < d.span.end;
+    log.iter().any(|d| d.severity == Severity::Error && overlaps(d))
 }
 
 /// The blocks of a role, in the file's order.

@@ -6,11 +6,37 @@ use crate::shape::cuboid::Cuboid;
 use crate::shape::instance::Instance;
 use crate::shape::quadric::Ellipsoid;
 use crate::shape::sphere::Sphere;
-use crate::shape::{Shape, ShapeError};
+use crate::shape::{Shape, ShapeError, Solid};
 use glam::{DAffine3, DMat3, DVec3};
 
 /// A shape, or why there is none.
 pub type Made = Result<Box<dyn Shape>, ShapeError>;
+/// A solid, or why there is none.
+pub type MadeSolid = Result<Box<dyn Solid>, ShapeError>;
+
+/// A shape in its place.
+pub enum Put<S: Shape> {
+    AsItIs(S),
+    Moved(Box<Instance<S>>),
+}
+
+impl<S: Shape + 'static> Put<S> {
+    pub fn shape(self) -> Box<dyn Shape> {
+        match self {
+            Put::AsItIs(shape) => Box::new(shape),
+            Put::Moved(shape) => shape,
+        }
+    }
+}
+
+impl<S: Solid + 'static> Put<S> {
+    pub fn solid(self) -> Box<dyn Solid> {
+        match self {
+            Put::AsItIs(solid) => Box::new(solid),
+            Put::Moved(solid) => solid,
+        }
+    }
+}
 
 /// All transformations of a block, in written order.
 pub fn transformation(block: &Block) -> DAffine3 {
@@ -32,19 +58,22 @@ pub fn transformation(block: &Block) -> DAffine3 {
 }
 
 /// A shape whose points `made` moves by a vector, under a map: an instance only if the map does more than move.
-pub fn placed<S: Shape + 'static>(map: DAffine3, made: impl Fn(DVec3) -> Result<S, ShapeError>) -> Made {
+pub fn placed<S: Shape>(
+    map: DAffine3,
+    made: impl Fn(DVec3) -> Result<S, ShapeError>,
+) -> Result<Put<S>, ShapeError> {
     if map.matrix3 == DMat3::IDENTITY {
-        return Ok(Box::new(made(map.translation)?));
+        return Ok(Put::AsItIs(made(map.translation)?));
     }
     instance(made(DVec3::ZERO)?, map)
 }
 
 /// A shape under a map; itself if the map changes nothing.
-pub fn instance(shape: impl Shape + 'static, map: DAffine3) -> Made {
+pub fn instance<S: Shape>(shape: S, map: DAffine3) -> Result<Put<S>, ShapeError> {
     if map == DAffine3::IDENTITY {
-        return Ok(Box::new(shape));
+        return Ok(Put::AsItIs(shape));
     }
-    Ok(Box::new(Instance::new(Box::new(shape), map)?))
+    Ok(Put::Moved(Box::new(Instance::new(Box::new(shape), map)?)))
 }
 
 /// The factors of a map that only stretches along the axes and moves.
@@ -55,21 +84,21 @@ fn stretch(map: DAffine3) -> Option<DVec3> {
 }
 
 /// The cube of edge 1 about the origin under a map: a plain box if its edges stay along the axes.
-pub fn cube(map: DAffine3) -> Made {
+pub fn cube(map: DAffine3) -> MadeSolid {
     let half = DVec3::splat(0.5);
     match stretch(map) {
         Some(factors) => {
             let reach = (factors * half).abs();
             Ok(Box::new(Cuboid::new(map.translation - reach, map.translation + reach)?))
         }
-        None => instance(Cuboid::new(-half, half)?, map),
+        None => Ok(instance(Cuboid::new(-half, half)?, map)?.solid()),
     }
 }
 
 /// An ellipsoid under a map: a sphere or a plain ellipsoid if its axes stay along the axes and nothing is mirrored.
-pub fn ellipsoid(center: DVec3, semi_axes: DVec3, map: DAffine3) -> Made {
+pub fn ellipsoid(center: DVec3, semi_axes: DVec3, map: DAffine3) -> MadeSolid {
     let Some(factors) = stretch(map).filter(|f| f.cmpgt(DVec3::ZERO).all()) else {
-        return instance(Ellipsoid::new(center, semi_axes)?, map);
+        return Ok(instance(Ellipsoid::new(center, semi_axes)?, map)?.solid());
     };
     let (center, semi_axes) = (center * factors + map.translation, semi_axes * factors);
     if semi_axes == DVec3::splat(semi_axes.x) {

@@ -23,6 +23,9 @@ impl ClippedQuadric {
 
 impl Shape for ClippedQuadric {
     fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
+        if t_min >= 0.0 && self.quadric.is_behind_or_beside(ray) {
+            return None;
+        }
         first_between(self.line(ray), t_min, t_max)
     }
 

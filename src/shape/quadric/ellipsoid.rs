@@ -1,7 +1,9 @@
 //! The ellipsoid with axes along the coordinates, as a sphere in coordinates of its own [A (2.6)].
 
 use crate::bounds::Aabb;
-use crate::num::certified::{Bounded, Roots, Scalar, Uncertain, Vector, power_of_two_below, solve_quadratic};
+use crate::num::certified::{
+    Bounded, Roots, Scalar, Uncertain, Vector, no_root_ahead, power_of_two_below, solve_quadratic,
+};
 use crate::num::double_double::DoubleDouble;
 use crate::num::{U, gamma};
 use crate::ray::{Crossing, Hit, Ray, Span};
@@ -49,6 +51,21 @@ impl Ellipsoid {
         scaled.filter(|t| t.is_finite()).map(|t| Crossing::new(t, 0)).collect()
     }
 
+    /// Does the ray certainly not meet the surface at any `t > 0`?
+    ///
+    /// In `d/a` and `(o−l)/a` stand 1 and 2 roundings a coordinate, in the three products with their sums 3 more, in
+    /// the last difference one: 9 u of the sums of the absolute values at most.
+    fn is_behind_or_beside(&self, ray: &Ray) -> bool {
+        let unit = power_of_two_below(self.semi_axes.max_element());
+        let length = power_of_two_below(ray.direction.abs().max_element());
+        let (w, d) =
+            ((ray.origin - self.center) / self.semi_axes, ray.direction / (self.semi_axes / unit) / length);
+        let bounded = |value: f64, size: f64| Bounded::within(value, gamma(9) * size);
+        let (a, c) = (d.length_squared(), w.length_squared());
+        let abc = [bounded(a, a), bounded(w.dot(d), w.abs().dot(d.abs())), bounded(c - 1.0, c + 1.0)];
+        no_root_ahead(abc, || side::<DoubleDouble>(ray.origin, self).unwrap_or(0))
+    }
+
     fn roots<T: Scalar>(&self, o: DVec3, d: DVec3) -> Result<ArrayVec<f64, 2>, Uncertain> {
         let per_axis = self.semi_axes.to_array().map(|a| T::of(1.0) / T::of(a));
         let squeezed =
@@ -71,6 +88,9 @@ impl Ellipsoid {
 
 impl Shape for Ellipsoid {
     fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
+        if t_min >= 0.0 && self.is_behind_or_beside(ray) {
+            return None;
+        }
         first_between(self.line(ray), t_min, t_max)
     }
 
@@ -124,14 +144,15 @@ impl Solid for Ellipsoid {
     }
 
     fn contains(&self, p: DVec3) -> bool {
-        fn side<T: Scalar>(w: [T; 3], axes: DVec3) -> Result<bool, Uncertain> {
-            let a = axes.to_array().map(T::of);
-            let w = Vector([w[0] / a[0], w[1] / a[1], w[2] / a[2]]);
-            Ok((w.dot(w) - T::of(1.0)).sign()? <= 0)
-        }
-        let Ellipsoid { center, semi_axes } = *self;
-        side::<Bounded>(Vector::difference(p, center).0, semi_axes)
-            .or_else(|Uncertain| side::<DoubleDouble>(Vector::difference(p, center).0, semi_axes))
-            .unwrap_or(false)
+        side::<Bounded>(p, self)
+            .or_else(|Uncertain| side::<DoubleDouble>(p, self))
+            .is_ok_and(|side| side <= 0)
     }
+}
+
+/// −1 inside, 0 on the surface, 1 outside.
+fn side<T: Scalar>(p: DVec3, ellipsoid: &Ellipsoid) -> Result<i8, Uncertain> {
+    let (w, a) = (Vector::<T>::difference(p, ellipsoid.center).0, ellipsoid.semi_axes.to_array().map(T::of));
+    let w = Vector([w[0] / a[0], w[1] / a[1], w[2] / a[2]]);
+    (w.dot(w) - T::of(1.0)).sign()
 }

@@ -21,7 +21,9 @@ pub use textbook::{as_printed, textbook};
 use super::triangle::largest_axis;
 use super::{Shape, ShapeError, Solid, unit};
 use crate::bounds::Aabb;
-use crate::num::certified::{Bounded, Roots, Scalar, Uncertain, Vector, power_of_two_below, solve_quadratic};
+use crate::num::certified::{
+    Bounded, Roots, Scalar, Uncertain, Vector, no_root_ahead, power_of_two_below, solve_quadratic,
+};
 use crate::num::double_double::DoubleDouble;
 use crate::num::expansion::Expansion;
 use crate::num::{U, gamma};
@@ -100,6 +102,21 @@ impl Coefficients {
         [a, half_gradient.dot(d), p.dot(half_gradient + l) + T::of(self.j)]
     }
 
+    /// Sums of the absolute values of the terms of `a`, `b`, `c` of (2) at the ray's origin.
+    fn sizes(&self, o: DVec3, d: DVec3) -> [f64; 3] {
+        let (o, d, l) = (o.abs(), d.abs(), self.linear().abs());
+        let rows = self.rows().map(|row| DVec3::from_array(row).abs());
+        let times = |p: DVec3| DVec3::new(rows[0].dot(p), rows[1].dot(p), rows[2].dot(p));
+        let half = times(o) + l;
+        [d.dot(times(d)), d.dot(half), o.dot(half + l) + self.j.abs()]
+    }
+
+    /// The sign of `q(p)`, in 106 bits.
+    fn sign_at(&self, p: DVec3) -> i8 {
+        let [_, _, c] = self.along::<DoubleDouble>(p, DVec3::ZERO, 0.0);
+        c.sign().unwrap_or(0)
+    }
+
     /// `q(p)` and half its gradient `Qp + l`.
     fn at(&self, p: DVec3) -> (f64, DVec3) {
         let rows = self.rows().map(DVec3::from_array);
@@ -109,11 +126,9 @@ impl Coefficients {
 
     /// Sum of the absolute values of the terms of `q(p)`, and the largest of the matrix's row sums.
     fn magnitude(&self, p: DVec3) -> (f64, f64) {
-        let p = p.abs();
-        let rows = self.rows().map(|row| DVec3::from_array(row).abs());
-        let half = DVec3::new(rows[0].dot(p), rows[1].dot(p), rows[2].dot(p)) + self.linear().abs();
-        let norm = rows.iter().map(|r| r.element_sum()).fold(0.0, f64::max);
-        (p.dot(half + self.linear().abs()) + self.j.abs(), norm)
+        let [_, _, terms] = self.sizes(p, DVec3::ZERO);
+        let norm = self.rows().iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
+        (terms, norm)
     }
 }
 
@@ -200,6 +215,21 @@ impl Quadric {
     pub fn line(&self, ray: &Ray) -> ArrayVec<Crossing, 2> {
         let roots = self.find(ray).roots;
         roots.into_iter().map(|t| Crossing::new(t, self.face_at(ray.at(t)))).collect()
+    }
+
+    /// Does the ray certainly not meet the surface at any `t > 0`?
+    ///
+    /// The numbers of (2) at the ray's origin, with their errors: `a` is a sum of products of three
+    /// inputs, behind which stand at most 8 roundings (2 products and 3 sums in `Qd`, a product and 2 sums outside),
+    /// and `b` and `c` have the sum with `l` as one more, `c` a last one with `J`: 10 u of the sums of the absolute values.
+    fn is_behind_or_beside(&self, ray: &Ray) -> bool {
+        let length = power_of_two_below(ray.direction.abs().max_element());
+        let (o, d) = (ray.origin / self.unit, ray.direction / length);
+        let q = &self.scaled;
+        let sizes = q.sizes(o, d);
+        let abc = q.along::<f64>(o, d, 0.0);
+        let bounded = std::array::from_fn(|i| Bounded::within(abc[i], gamma(10) * sizes[i]));
+        no_root_ahead(bounded, || q.sign_at(o))
     }
 
     fn find(&self, ray: &Ray) -> Found {
@@ -299,6 +329,9 @@ impl Quadratic for DoubleDouble {
 
 impl Shape for Quadric {
     fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
+        if t_min >= 0.0 && self.is_behind_or_beside(ray) {
+            return None;
+        }
         let t = self.find(ray).roots.into_iter().find(|&t| t_min < t && t < t_max)?;
         Some(Crossing::new(t, self.face_at(ray.at(t))))
     }
@@ -388,13 +421,8 @@ impl Solid for Quadric {
     }
 
     fn contains(&self, p: DVec3) -> bool {
-        fn side<T: Scalar>(q: &Coefficients, p: DVec3) -> Result<bool, Uncertain> {
-            let [_, _, c] = q.along::<T>(p, DVec3::ZERO, 0.0);
-            Ok(c.sign()? <= 0)
-        }
         let p = p / self.unit;
-        side::<Bounded>(&self.scaled, p)
-            .or_else(|Uncertain| side::<DoubleDouble>(&self.scaled, p))
-            .unwrap_or(false)
+        let [_, _, c] = self.scaled.along::<Bounded>(p, DVec3::ZERO, 0.0);
+        c.sign().unwrap_or_else(|Uncertain| self.scaled.sign_at(p)) <= 0
     }
 }

@@ -268,8 +268,9 @@ impl<'a> Line<'a> {
             let k = (rho + a) * (rho + a) + (z - b) * (z + b);
             let h = self.torus.quartic(p).high / k;
             let slope = 2.0 * (off * (x * self.d.x + y * self.d.y) / rho + z * self.d.z);
-            let next = t - h / slope;
-            if !(next >= lo && next <= hi) {
+            // From inside the tube a step overshoots, and next to the bracket's end it may leave it.
+            let next = (t - h / slope).clamp(lo, hi);
+            if next.is_nan() {
                 break;
             }
             let step = next - t;

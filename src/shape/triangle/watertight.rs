@@ -190,7 +190,7 @@ impl PreparedRay {
 
     /// The sign of (1), exactly.
     #[cold]
-    pub(super) fn exact_side(&self, a: DVec3, b: DVec3) -> i8 {
+    pub(crate) fn exact_side(&self, a: DVec3, b: DVec3) -> i8 {
         exact_triple(self.direction, self.origin, a, self.origin, b)
     }
 

@@ -1,0 +1,101 @@
+//! `.csg` files: trees of solids whose nodes name each other by type and index [D Annex C].
+//!
+//! ```text
+//! Box { Scale 3 3 3 }   Sphere { Radius 2 }
+//! Intersection { LeftType Box LeftIndex 0  RightType Sphere RightIndex 0 }
+//! ```
+//!
+//! The document leaves two things open, which hold here: indices count the blocks of their type from 0 in the order of the
+//! file, and the whole tree is the node that no other names. `Operation` as a type counts the blocks of all three
+//! operations, which the document keeps in one list (§5.4.7.3).
+
+mod link;
+mod outline;
+mod write;
+
+pub use write::{NotWritten, write};
+
+use super::declared;
+use super::diagnostic::{Diagnostic, Diagnostics};
+use super::format::Role;
+use super::parse::{self, Block};
+use super::source::{self, ReadError};
+use super::token;
+use crate::csg::Operation;
+use link::Links;
+use std::path::Path;
+
+/// Most solids of a tree, a node that is named twice counted twice.
+pub const MOST_SOLIDS: usize = 65_536;
+
+/// Most operations inside one another.
+pub const MOST_DEEP: usize = 512;
+
+/// A file's nodes and who holds whom; also of files that are wrong, as far as they can be read.
+#[derive(Debug)]
+pub struct CsgFile {
+    /// All blocks, in the file's order.
+    blocks: Vec<Block>,
+    links: Links,
+    /// Everything that was found.
+    pub remarks: Diagnostics,
+}
+
+/// Which operation a block is.
+pub(super) fn operation(block: &Block) -> Option<Operation> {
+    Operation::ALL.into_iter().find(|o| block.rule.role == Role::Operation && o.name() == block.rule.name)
+}
+
+/// Reads a tree from its text; `name` is what messages call the file. What is wrong stands in the remarks.
+pub fn read(source: &str, name: &str) -> CsgFile {
+    let mut log = Vec::new();
+    let tokens = token::tokens(source, &mut log);
+    let parsed = parse::parse(source, &tokens, &mut log);
+    for block in &parsed.blocks {
+        log.extend(foreign(block));
+        declared::lacking(block, &mut log);
+    }
+    let links = Links::new(&parsed, source, &mut log);
+    CsgFile { blocks: parsed.blocks, links, remarks: Diagnostics::new(name, source, log) }
+}
+
+/// Reads a tree from a file; messages call it by its path as given.
+///
+/// - Errors: a file that cannot be read at all; one that is wrong comes with its remarks.
+pub fn read_file(path: &Path) -> Result<CsgFile, ReadError> {
+    Ok(read(&source::text(path, source::LARGEST_FILE)?, &path.display().to_string()))
+}
+
+/// A block that has no place in such a file.
+fn foreign(block: &Block) -> Option<Diagnostic> {
+    let name = block.rule.name;
+    if let Some(inner) = block.children.first() {
+        let d = Diagnostic::error(
+            inner.keyword.clone(),
+            format!("`{}` stands inside of `{name}`", inner.rule.name),
+        );
+        return Some(d.expected(
+            "blocks side by side, named by `LeftType`, `LeftIndex`, `RightType` and `RightIndex`",
+        ));
+    }
+    let fits = matches!(block.rule.role, Role::Object | Role::Operation) && name != "CSG";
+    let d = Diagnostic::error(block.keyword.clone(), format!("`{name}` is no part of a tree of solids"));
+    (!fits).then(|| d.expected("solids, `Union`, `Difference` and `Intersection`"))
+}
+
+impl CsgFile {
+    pub fn is_right(&self) -> bool {
+        self.remarks.errors().next().is_none()
+    }
+
+    /// The whole as one block that holds its operands, as a scene would have it; none of a file that is wrong.
+    pub fn tree(&self) -> Option<Block> {
+        let root = self.links.root.filter(|_| self.is_right())?;
+        Some(self.nested(root))
+    }
+
+    fn nested(&self, node: usize) -> Block {
+        let children = self.links.operands[node].iter().flatten().map(|&child| self.nested(child)).collect();
+        Block { children, ..self.blocks[node].clone() }
+    }
+}
