@@ -223,7 +223,7 @@ proptest! {
                 DVec3::new(along(DVec3::X), along(DVec3::Y), along(DVec3::Z))
             };
             // In 106 bits the differences themselves hardly round: only their truncation counts.
-            let h = 1e-6 / slope.max(1.0);
+            let h = 1e-6 / slope.max(1.0) * hit.point.length().max(1.0);
             let (coarse, fine) = (difference(2.0 * h), difference(h));
             // Shrinking h by 2 shrinks the truncation by 4: a third of the change is what is left, a whole is allowed.
             let truncation = (coarse - fine).length() + 4.0 * U * slope;

@@ -293,7 +293,10 @@ impl Shape for Julia {
     ///   square root.
     fn hit(&self, ray: &Ray, crossing: &Crossing) -> Hit {
         let line = Line::new(&self.set, ray, self.grid.radius);
-        let mut point = line.map_or_else(|| ray.at(crossing.t), |line| line.at(line.s(crossing.t)));
+        let point = line.map_or_else(|| ray.at(crossing.t), |line| line.at(line.s(crossing.t)));
+        // The surface lies within the ball, wherever the rounding of a far ray has put the point.
+        let ball = DVec3::splat(self.radius());
+        let mut point = if point.is_nan() { DVec3::ZERO } else { point.clamp(-ball, ball) };
         let mut value = self.set.value(point);
         for _ in 0..4 {
             let (off, slope2) = (value.size - self.bailout(), value.gradient.length_squared());
