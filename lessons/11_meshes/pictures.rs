@@ -64,7 +64,7 @@ pub fn cylinders(lesson: &Lesson) -> Result {
     };
     let mut panels = Panels::new()
         .columns(4)
-        .title("The more polygons, the nearer to the cylinder; the formula is the cylinder")
+        .title("Polygons come near a cylinder; the formula is the cylinder")
         .subtitle("polygons with one normal each; soft light from the left");
     for sides in [6, 12, 48] {
         let polygons = tessellate::cylinder(sides);
