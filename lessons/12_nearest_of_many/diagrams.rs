@@ -7,7 +7,7 @@ use lightbench::kit::lesson::Result;
 /// A complicated thing: a star.
 fn star() -> Vec<DVec2> {
     let corner = |k: u32| {
-        let radius = if k % 2 == 0 { 1.5 } else { 0.62 };
+        let radius = if k.is_multiple_of(2) { 1.5 } else { 0.62 };
         DVec2::from_angle(std::f64::consts::PI * (0.5 + f64::from(k) / 5.0)) * radius
     };
     (0..10).map(corner).collect()
