@@ -24,12 +24,13 @@ s1_point          | benches/povray/s1_point.scene | 2048
 s3_csg            | scenes/p_csg.scene | 2048
 s5_torus          | scenes/p_torus.scene | 2048
 s5_surfaces       | scenes/p_shapes.scene | 2048
+s5_julia          | scenes/p_julia.scene | 2048
 '
 
 median() { sort -g | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'; }
 
 pov() { # scene, side, file type, output, more options
-    povray "+Ibenches/povray/$1.pov" +Lbenches/povray "+W$2" "+H$2" -D "+F$3" "+O$4" +WT1 -A "${@:5}" 2>&1
+    povray "+Ibenches/povray/$1.pov" +Lbenches/povray "+W$2" "+H$2" -D "+F$3" "+O$4" +WT1 -A Declare=ITER=8 "${@:5}" 2>&1
 }
 
 pov_seconds() { # CPU seconds of tracing

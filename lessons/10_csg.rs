@@ -48,7 +48,7 @@ fn main() -> Result {
     // 2. The contestants: root diagrams, whole lists, tested points, and the printed rules.
     let cases = cases::cases(size);
     let rays = lesson.pick([16, 48, 128, 256]);
-    let contest = charts::contest(rays, lesson.pick([6, 16, 32, 48]));
+    let contest = charts::contest(rays, lesson.pick([6, 10, 24, 48]));
     let turns = lesson.pick([48, 600, 4000, 16000]);
     let coincident = stability::over_distance(seed, turns);
 

@@ -40,12 +40,12 @@ fn main() -> Result {
     pictures::cylinders(&lesson)?;
 
     // 2. The contestants: the same as meshes, finer and finer; and three ways to store one.
-    let (most, finest) = lesson.pick([(7, 6), (14, 9), (16, 10), (18, 11)]);
+    let (most, finest) = lesson.pick([(7, 6), (13, 9), (16, 10), (18, 11)]);
     let sweep = |solid: Solid, most: u32| silhouette::sweep(solid, seed, FEWEST..=most);
     let (cylinder, sphere) = (sweep(Solid::Cylinder, most), sweep(Solid::Sphere, finest));
     let formulas = [Solid::Cylinder, Solid::Sphere].map(|solid| silhouette::formula(solid, seed));
     let stored = queries::compare(&lesson);
-    let rays = lesson.pick([2_000, 40_000, 200_000, 1_000_000]);
+    let rays = lesson.pick([2_000, 20_000, 200_000, 1_000_000]);
     let cracks = broken::cracks(seed, rays);
     let cases = broken::cases(seed, rays);
 

@@ -11,8 +11,8 @@
 //! | 0 | [`num`], [`color`] | polynomial roots, rounding bounds, compensated sums, quadrature, statistics; colour spaces |
 //! | 1 | [`ray`], [`frame`], [`bounds`] | rays, hits, the trace hook; rotations and bases; boxes and spheres |
 //! | 2 | [`sample`], [`film`], [`measure`] | random numbers and warps; images and their metrics; cost and error of methods |
-//! | 3 | [`shape`], [`accel`] | one file per surface: where a ray meets it, and its solid's spans; the nearest of many things with bounds |
-//! | 4 | [`csg`], [`light`], [`mesh`], [`sdf`] | solids made of solids by root diagrams; emission and its fall-off; polygons, half-edges, triangles in a hierarchy of boxes; distance fields, marching, the Menger sponge, Julia sets |
+//! | 3 | [`shape`], [`accel`], [`fresnel`] | one file per surface: where a ray meets it, and its solid's spans; the nearest of many things with bounds; what a boundary reflects |
+//! | 4 | [`bsdf`], [`csg`], [`light`], [`mesh`], [`sdf`] | reflection models: eval, sample, pdf, albedo; solids made of solids by root diagrams; emission and its fall-off; polygons, half-edges, triangles in a hierarchy of boxes; distance fields, marching, the Menger sponge, Julia sets |
 //! | 5 | [`scene`] | camera, objects, materials |
 //! | 6 | [`scene_file`] | readers of the documents' formats |
 //! | 8 | [`integrator`] | each turns a ray into radiance |
@@ -24,11 +24,13 @@
 
 pub mod accel;
 pub mod bounds;
+pub mod bsdf;
 pub mod color;
 pub mod command;
 pub mod csg;
 pub mod film;
 pub mod frame;
+pub mod fresnel;
 pub mod integrator;
 pub mod kit;
 pub mod light;

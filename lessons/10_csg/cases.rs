@@ -7,11 +7,15 @@ use glam::{DVec3, dvec3};
 use lightbench::csg::Tree;
 use lightbench::kit::figure::{Figure, Panels, Table, grouped};
 
+type Make = fn() -> Tree;
+/// Name, why the rule fails, and the solid.
+type Row = (&'static str, &'static str, Make);
+
 /// A case, and the pixels that the printed rules and the root diagram get wrong, of those where truth or rules see the solid.
 pub struct Case {
     pub name: &'static str,
     pub why: &'static str,
-    pub tree: fn() -> Tree,
+    pub tree: Make,
     pub printed: usize,
     pub diagram: usize,
     pub seen: usize,
@@ -40,7 +44,7 @@ fn bite() -> Tree {
 }
 
 pub fn cases(size: usize) -> Vec<Case> {
-    let list: [(&str, &str, fn() -> Tree); 5] = [
+    let list: [Row; 5] = [
         ("disjoint solids, ∩", "IN OUT IN OUT: no pair to delete", disjoint),
         ("an inner solid taken away", "OUT IN deleted: the hole is filled", hollow),
         ("three that overlap (fig. 17)", "marks of several spans mixed", document),
@@ -48,7 +52,7 @@ pub fn cases(size: usize) -> Vec<Case> {
         ("the camera inside", "odd count: no hit", bite),
     ];
     let rays = rays(&camera(EYE), size);
-    let judge = |(name, why, tree): (&'static str, &'static str, fn() -> Tree)| {
+    let judge = |(name, why, tree): Row| {
         let (described, made) = (tree(), solid(tree()));
         let mut case = Case { name, why, tree, printed: 0, diagram: 0, seen: 0 };
         for ray in &rays {

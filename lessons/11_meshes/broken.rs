@@ -13,7 +13,7 @@ use rayon::prelude::*;
 fn aim(seed: u64, i: u32, mesh: &Mesh) -> DVec3 {
     let mut s = Sampler::new(seed, 21, i);
     let face = mesh.triangle((s.next_1d() * mesh.len() as f64) as usize);
-    let (k, along) = ((s.next_1d() * 3.0) as usize, if i % 4 == 0 { 0.0 } else { s.next_1d() });
+    let (k, along) = ((s.next_1d() * 3.0) as usize, if i.is_multiple_of(4) { 0.0 } else { s.next_1d() });
     face[k] * (1.0 - along) + face[(k + 1) % 3] * along
 }
 

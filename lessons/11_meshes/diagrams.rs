@@ -48,9 +48,10 @@ fn column(x: f64, n: usize) -> impl Fn(usize) -> DVec2 {
     move |i| dvec2(x, 0.8 + 0.62 * ((n - 1) as f64 / 2.0 - i as f64))
 }
 
-/// An arrow from the right of one cell to the left of another.
+/// An arrow from the right of one cell to the left of another; arrows from above arrive above the middle.
 fn names(diagram: Diagram, light: Light, from: DVec2, to: DVec2) -> Diagram {
-    diagram.ray(light, from + dvec2(HALF.x, 0.0), to - dvec2(HALF.x + 0.03, 0.0))
+    let height = (0.2 * (from.y - to.y)).clamp(-0.11, 0.11);
+    diagram.ray(light, from + dvec2(HALF.x, 0.0), to + dvec2(-HALF.x - 0.03, height))
 }
 
 const TOP: f64 = 2.72;
@@ -75,7 +76,7 @@ pub fn polygons() -> Figure {
     let d = d
         .note(dvec2(7.4, TOP), "polygons")
         .note(dvec2(9.6, TOP), "vertices")
-        .title("Polygons name vertices, so neighbours share points, but nobody knows it")
+        .title("Polygons name vertices; that two share an edge is not said")
         .subtitle("an object of two triangles, and its lists; each arrow is one index that is stored")
         .alt("An object of two triangles; a tree from the object to the polygons P0 and P1 and from each to three of the vertices V0 to V3.");
     Figure::from(d).caption(

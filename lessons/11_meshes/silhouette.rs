@@ -41,7 +41,7 @@ impl Solid {
     /// A direction across which the outline is a circle of radius 1.
     fn direction(self, seed: u64, i: u32) -> DVec3 {
         let mut sampler = Sampler::new(seed, 11, i);
-        let d = DVec3::from(uniform_sphere(sampler.next_2d()));
+        let d = uniform_sphere(sampler.next_2d());
         match self {
             Solid::Cylinder => dvec3(d.x, 0.0, d.z).normalize_or(DVec3::X),
             Solid::Sphere => d,
@@ -78,7 +78,7 @@ fn rays(seed: u64) -> Vec<Ray> {
     (0..2048)
         .map(|i| {
             let mut sampler = Sampler::new(seed, 12, i);
-            let origin = DVec3::from(uniform_sphere(sampler.next_2d())) * 4.0;
+            let origin = uniform_sphere(sampler.next_2d()) * 4.0;
             let (a, b) = (sampler.next_2d(), sampler.next_1d());
             let target = dvec3(a.x, a.y, b) * 2.0 - 1.0;
             Ray::new(origin, (target - origin).normalize())

@@ -25,7 +25,7 @@ use std::cell::RefCell;
 
 /// Boundaries farther apart than this share of `|o|/|d| + |t|` are no tie, and nobody looks closer.
 ///
-/// It covers slants down to 64 u / 2⁻²⁰ ≈ 10⁻⁸ rad; more grazing coincident faces are one pixel in 10¹⁰.
+/// At the error of γ₆₄ it covers slants down to 64 u / 2⁻²⁰ ≈ 10⁻⁸ rad.
 const COARSE: f64 = 1.0 / (1u64 << 20) as f64;
 
 /// Memory that a thread keeps from ray to ray.
@@ -338,7 +338,8 @@ impl Walk<'_> {
     }
 }
 
-/// A point near the origin of space does not make its surface doubtful without bound.
+/// A point in the origin of space does not make its surface doubtful without bound: rays are trusted from as far as 2²⁰ times
+/// its distance from there.
 const MOST_FAR: f64 = (1u64 << 20) as f64;
 
 /// Of two boundaries that are one: the nearer place, on the leaf that is written first.

@@ -30,11 +30,11 @@ impl Polygons {
                     continue;
                 }
                 let fan = fans.root(corner);
-                if place[fan] == NONE {
-                    if let Some(n) = unit(sums[fan]).or(*normal) {
-                        place[fan] = self.normals.values.len() as u32;
-                        self.normals.values.push(n);
-                    }
+                if place[fan] == NONE
+                    && let Some(n) = unit(sums[fan]).or(*normal)
+                {
+                    place[fan] = self.normals.values.len() as u32;
+                    self.normals.values.push(n);
                 }
                 self.normals.corners[corner] = place[fan];
             }

@@ -7,6 +7,7 @@ pub mod double_double;
 pub mod expansion;
 pub mod polynomial;
 pub mod quadratic;
+pub mod quadrature;
 pub mod quartic;
 pub mod real;
 pub mod statistics;

@@ -4,7 +4,7 @@ use super::{Cell, Row, RowError, Topic};
 use crate::num::double_double::DoubleDouble;
 use crate::num::real::Real;
 use crate::sdf::julia::orbit::{as_printed_estimate, escape, quaternion, safe_step};
-use crate::sdf::julia::{Julia, JuliaMethod, March};
+use crate::sdf::julia::{Julia, JuliaMethod, LARGEST_C, MOST_ITERATIONS, March};
 use crate::shape::Shape;
 use glam::DVec4;
 
@@ -131,7 +131,7 @@ const MARCH: March = March { tolerance: 1.0e-7, most: 100_000 };
 fn julia_hit(row: &Row, method: &str) -> Result<Vec<Cell>, RowError> {
     let (c, n, b) = (c(row)?, iterations(row)?, bailout(row)?);
     let julia = Julia::new(c, n, b, 0.0).map_err(|e| {
-        let column = [("c0", c.length() > 4.0), ("N", n > 100)].into_iter().find(|x| x.1);
+        let column = [("c0", c.length() > LARGEST_C), ("N", n > MOST_ITERATIONS)].into_iter().find(|x| x.1);
         row.error(column.map_or("bailout", |x| x.0), &e.to_string())
     })?;
     let julia = julia.with_method(match method {

@@ -8,6 +8,7 @@ mod colour;
 mod csg;
 mod julia;
 mod menger;
+mod reflection;
 mod sphere_box;
 mod surface;
 mod torus;
@@ -19,6 +20,8 @@ use std::fmt::Write;
 /// Every topic, chapter by chapter.
 pub const TOPICS: &[Topic] = &[
     colour::SRGB_TRANSFER,
+    colour::COLOUR_CONVERT,
+    colour::DOMINANT_WAVELENGTH,
     camera::PINHOLE,
     camera::LOOKAT,
     camera::ROTATIONS,
@@ -37,6 +40,8 @@ pub const TOPICS: &[Topic] = &[
     julia::JULIA_DISTANCE,
     julia::JULIA_HIT,
     menger::RAY_MENGER,
+    reflection::BRDF_VALUES,
+    reflection::BRDF_ALBEDO,
 ];
 
 /// A topic: one function of the library, or several methods for the same question.

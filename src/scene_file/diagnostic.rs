@@ -47,7 +47,7 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     pub fn new(severity: Severity, span: Span, message: impl Into<String>) -> Self {
-        let message = message.into();
+        let message = printable(message.into());
         Diagnostic { severity, span, message, expected: None, found: None, related: None, help: None }
     }
 
@@ -109,7 +109,7 @@ pub struct Diagnostics {
 impl Diagnostics {
     pub fn new(name: &str, source: &str, mut list: Vec<Diagnostic>) -> Self {
         list.sort_by_key(|d| (d.span.start, d.span.end)); // stable: equal places keep the order of discovery
-        Diagnostics { name: name.to_owned(), source: source.to_owned(), list, files: Vec::new() }
+        Diagnostics { name: printable(name.to_owned()), source: source.to_owned(), list, files: Vec::new() }
     }
 
     /// With what was found in the files that this one names.
@@ -215,6 +215,15 @@ pub fn quoted(text: &str) -> String {
     }
     out.push('`');
     out
+}
+
+/// The text with what may not reach a terminal escaped; paths may hold anything.
+fn printable(text: String) -> String {
+    if text.chars().all(is_printable) {
+        return text;
+    }
+    let escaped = |c: char| if is_printable(c) { c.to_string() } else { c.escape_default().to_string() };
+    text.chars().map(escaped).collect()
 }
 
 /// May this character reach a terminal? Escape sequences and marks that turn the reading

@@ -92,7 +92,8 @@ pub struct Parsed {
 
 /// Reads all blocks of a file.
 pub fn parse(source: &str, tokens: &[Token], log: &mut Vec<Diagnostic>) -> Parsed {
-    let mut parser = Parser { source, tokens, at: 0, log, lines: LineCounter::default(), depth: 0 };
+    let mut parser =
+        Parser { source, tokens, at: 0, log, lines: LineCounter::default(), depth: 0, cut: false };
     let mut parsed = Parsed { blocks: Vec::new(), lost: 0 };
     while parser.peek().is_some() {
         match parser.block() {
@@ -129,6 +130,8 @@ struct Parser<'a, 'l> {
     lines: LineCounter,
     /// Blocks around this place.
     depth: usize,
+    /// Was what stood too deep left out, and its braces with it?
+    cut: bool,
 }
 
 /// Most blocks inside one another.
@@ -286,6 +289,7 @@ impl<'a> Parser<'a, '_> {
                 }
                 Some(token) if self.at_inner_block(rule) => self.inner_block(token, &mut block),
                 Some(_) if !self.at_next_block() => self.entry(&mut block),
+                None if self.cut => break,
                 next => {
                     self.log.push(unclosed(&block, next));
                     break;
@@ -302,6 +306,7 @@ impl<'a> Parser<'a, '_> {
             self.log.push(d.expected(format!("at most {DEEPEST} blocks inside one another")));
             self.at += 2;
             self.skip_braces();
+            self.cut = true;
             return;
         }
         self.depth += 1;

@@ -318,15 +318,15 @@ impl<'a, F: DistanceField + ?Sized> Walk<'a, F> {
             slow += 1;
             let share = a.r.abs() * wa / (a.r.abs() * wa + b.r.abs() * wb);
             let share = if slow < 3 && share > 0.0 && share < 1.0 { share } else { 0.5 };
-            let m = self.polished(a.s + (b.s - a.s) * share);
-            if !(m.s > a.s && m.s < b.s) {
-                break;
-            }
+            // Beside an end the root may be nearer than the next number: half a grain on, the bracket still shrinks.
+            let s = (a.s + (b.s - a.s) * share).clamp(a.s + 0.5 * grain, b.s - 0.5 * grain);
+            let m = self.polished(s);
             if m.r.abs() <= self.hidden {
                 let near = (2.0 * self.hidden).max(grain);
                 let (l, h) = (self.polished((m.s - near).max(a.s)), self.polished((m.s + near).min(b.s)));
                 if l.is_inside() == inside_at_a && h.is_inside() != inside_at_a {
-                    return Change { s: m.s, within: near };
+                    let share = l.r.abs() / (l.r.abs() + h.r.abs()).max(f64::MIN_POSITIVE);
+                    return Change { s: l.s + (h.s - l.s) * share, within: h.s - l.s };
                 }
             }
             if m.is_inside() == inside_at_a {

@@ -41,6 +41,21 @@ impl<S: ?Sized + Shape> Instance<S> {
         Ok(Instance { to_world, to_local, normals, world_stretch, local_stretch, shape })
     }
 
+    /// A box round the image of a box.
+    fn mapped(&self, b: Aabb) -> Aabb {
+        if b.is_empty() || !b.is_finite() {
+            return if b.is_empty() { b } else { Aabb::EVERYTHING };
+        }
+        let corner = |i: usize| {
+            let pick = |axis: usize| if i >> axis & 1 == 0 { b.min[axis] } else { b.max[axis] };
+            self.to_world.transform_point3(DVec3::new(pick(0), pick(1), pick(2)))
+        };
+        let mapped = Aabb::of_points((0..8).map(corner));
+        let largest = b.min.abs().max(b.max.abs()).max_element();
+        let slack = gamma(8) * (self.world_stretch * largest + self.to_world.translation.abs().max_element());
+        Aabb::new(mapped.min - slack, mapped.max + slack)
+    }
+
     fn local(&self, ray: &Ray) -> Ray {
         Ray::new(self.to_local.transform_point3(ray.origin), self.to_local.transform_vector3(ray.direction))
     }
@@ -84,18 +99,7 @@ impl<S: ?Sized + Shape> Shape for Instance<S> {
     }
 
     fn bounds(&self) -> Aabb {
-        let b = self.shape.bounds();
-        if b.is_empty() || !b.is_finite() {
-            return if b.is_empty() { b } else { Aabb::EVERYTHING };
-        }
-        let corner = |i: usize| {
-            let pick = |axis: usize| if i >> axis & 1 == 0 { b.min[axis] } else { b.max[axis] };
-            self.to_world.transform_point3(DVec3::new(pick(0), pick(1), pick(2)))
-        };
-        let mapped = Aabb::of_points((0..8).map(corner));
-        let largest = b.min.abs().max(b.max.abs()).max_element();
-        let slack = gamma(8) * (self.world_stretch * largest + self.to_world.translation.abs().max_element());
-        Aabb::new(mapped.min - slack, mapped.max + slack)
+        self.mapped(self.shape.bounds())
     }
 
     fn parts(&self) -> u32 {
@@ -119,6 +123,10 @@ impl<S: ?Sized + Shape> Shape for Instance<S> {
 impl<S: ?Sized + Solid> Solid for Instance<S> {
     fn spans(&self, ray: &Ray, out: &mut Vec<Span>) {
         self.shape.spans(&self.local(ray), out);
+    }
+
+    fn hull(&self) -> Aabb {
+        self.mapped(self.shape.hull())
     }
 
     fn contains(&self, p: DVec3) -> bool {

@@ -187,6 +187,11 @@ pub trait Solid: Shape {
     /// disjoint. A tangent touch is no stretch.
     fn spans(&self, ray: &Ray, out: &mut Vec<Span>);
 
+    /// A box that holds the solid: the [bounds](Shape::bounds) of its surface, unless the solid runs on beyond.
+    fn hull(&self) -> Aabb {
+        self.bounds()
+    }
+
     /// Is the point inside or on the surface?
     fn contains(&self, p: DVec3) -> bool;
 }

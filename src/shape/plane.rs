@@ -178,6 +178,20 @@ impl Solid for Plane {
         }
     }
 
+    /// Everything behind the plane, by coordinates if it stands square to an axis.
+    fn hull(&self) -> Aabb {
+        let flat = self.bounds();
+        let (mut min, mut max) = (DVec3::NEG_INFINITY, DVec3::INFINITY);
+        for axis in (0..3).filter(|&axis| flat.min[axis] == flat.max[axis]) {
+            if self.across[axis] > 0.0 {
+                max[axis] = flat.max[axis];
+            } else {
+                min[axis] = flat.min[axis];
+            }
+        }
+        Aabb::new(min, max)
+    }
+
     fn contains(&self, p: DVec3) -> bool {
         fn side<T: Scalar>(plane: &Plane, p: DVec3) -> Result<i8, Uncertain> {
             Vector::<T>::of(plane.across).dot(Vector::difference(p, plane.point)).sign()

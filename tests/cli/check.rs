@@ -34,3 +34,19 @@ fn the_projects_own_scenes_are_right() {
     }
     assert!(all > 0);
 }
+
+#[test]
+fn a_wrong_mesh_is_told_where_it_stands() {
+    let bench = Bench::new("check_mesh");
+    bench.write("bad.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+    let scene = b"Camera { POV 0 0 5 }\nMaterial { Name m }\nMesh { Material m Source \"bad.obj\" }\nPointLight { }\n";
+    bench.write("s.scene", scene);
+    for command in ["check s.scene", "render s.scene"] {
+        let told = bench.line(command);
+        assert_eq!(told.code, Some(2), "{command}");
+        for word in ["bad.obj:4:7: error", "expected 1 to 3", "s.scene:3:26: error"] {
+            assert!(told.err.contains(word), "`{word}` is not in\n{}", told.err);
+        }
+    }
+    assert_eq!(bench.files(), ["bad.obj", "s.scene"], "nothing is written");
+}

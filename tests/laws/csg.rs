@@ -174,7 +174,7 @@ const CLOSE: f64 = 1.0e-6;
 
 #[test]
 fn spans_are_what_the_table_makes_of_the_leaves() {
-    proptest!(config(3000), |(plan in plan(), ray in looks())| {
+    proptest!(config(1200), |(plan in plan(), ray in looks())| {
         let solid = Csg::new(plan.tree()).expect("a small tree");
         let found = spans(&solid, &ray);
         let stops: Vec<f64> = found.iter().flat_map(|s| [s.enter.t, s.leave.t]).collect();
@@ -204,7 +204,7 @@ fn spans_are_what_the_table_makes_of_the_leaves() {
 
 #[test]
 fn points_inside_are_what_the_table_makes_of_the_leaves() {
-    proptest!(config(3000), |(plan in plan(), p in [-3.0..3.0f64, -3.0..3.0, -3.0..3.0])| {
+    proptest!(config(1200), |(plan in plan(), p in [-3.0..3.0f64, -3.0..3.0, -3.0..3.0])| {
         let p = DVec3::from_array(p);
         let solid = Csg::new(plan.tree()).expect("a small tree");
         let expected = plan.side(&|leaf| leaf.solid().contains(p));
@@ -217,7 +217,7 @@ fn points_inside_are_what_the_table_makes_of_the_leaves() {
 
 #[test]
 fn the_nearest_is_the_first_crossing_from_wherever() {
-    proptest!(config(2000), |(plan in plan(), ray in looks(), from in -2.0..20.0f64)| {
+    proptest!(config(800), |(plan in plan(), ray in looks(), from in -2.0..20.0f64)| {
         let solid = Csg::new(plan.tree()).expect("a small tree");
         let all: Vec<_> = spans(&solid, &ray).iter().flat_map(|s| [s.enter, s.leave]).filter(|c| c.t.is_finite()).collect();
         let mut ahead = Vec::new();
@@ -239,7 +239,7 @@ fn the_nearest_is_the_first_crossing_from_wherever() {
 /// `a − a` and the like are exact: the same leaf gives the same ends.
 #[test]
 fn the_algebra_of_sets_holds_on_spans() {
-    proptest!(config(1500), |(a in plan(), b in plan(), c in plan(), ray in looks())| {
+    proptest!(config(600), |(a in plan(), b in plan(), c in plan(), ray in looks())| {
         let [ta, tb, tc] = [&a, &b, &c].map(|p| move || p.tree());
         prop_assert_eq!(ends(ta().difference(ta()), &ray), vec![]);
         prop_assert_eq!(ends(ta().union(ta()), &ray), ends(ta(), &ray));
@@ -265,7 +265,7 @@ fn the_algebra_of_sets_holds_on_spans() {
 /// The whole is empty just outside of a hit, along its normal, and full just inside; edges aside.
 #[test]
 fn normals_point_out_of_the_whole() {
-    proptest!(config(2000), |(plan in plan(), ray in looks())| {
+    proptest!(config(800), |(plan in plan(), ray in looks())| {
         let solid = Csg::new(plan.tree()).expect("a small tree");
         for s in spans(&solid, &ray) {
             for (c, way) in [(s.enter, -1.0), (s.leave, 1.0)] {
@@ -286,7 +286,7 @@ fn normals_point_out_of_the_whole() {
 #[test]
 fn coincident_faces_cancel_on_any_path() {
     let map = ([-1.0..1.0f64, -1.0..1.0, -1.0..1.0], -3.0..3.0f64, 0.0..7.0f64, 0.5..2.0f64);
-    proptest!(config(3000), |((axis, turn, far, stretch) in map, x in -0.8..0.8f64, z in -0.8..0.8f64, lean in [-0.7..0.7f64, -0.7..0.7])| {
+    proptest!(config(1200), |((axis, turn, far, stretch) in map, x in -0.8..0.8f64, z in -0.8..0.8f64, lean in [-0.7..0.7f64, -0.7..0.7])| {
         let axis = DVec3::from_array(axis).try_normalize().unwrap_or(DVec3::Y);
         let home = DAffine3::from_mat3_translation(DMat3::from_axis_angle(axis, turn) * stretch, axis * 10f64.powf(far));
         let cube = |map| Tree::leaf(Instance::new(Box::new(Cuboid::new(DVec3::NEG_ONE, DVec3::ONE).expect("a cube")), map).expect("a map"));

@@ -3,8 +3,11 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod colour;
 mod film;
+mod julia;
 mod pinhole;
+mod reflection;
 mod sample;
 mod sphere;
 mod statistics;

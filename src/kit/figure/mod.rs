@@ -22,7 +22,7 @@ pub mod colormap;
 mod diagram;
 pub mod drawing;
 pub mod font;
-mod heading;
+pub mod heading;
 pub mod ink;
 pub mod label;
 mod map;

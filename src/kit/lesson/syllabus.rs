@@ -86,6 +86,18 @@ pub const SYLLABUS: &[Entry] = &[
         ],
     },
     Entry {
+        number: 9,
+        name: "julia",
+        question: "How far may a ray leap towards a fractal before it leaps too far?",
+        chapter: "Surfaces",
+        introduces: &["sdf"],
+        builds_on: &[
+            (2, "a ray meets a sphere"),
+            (5, "certified signs; missed and false hits"),
+            (8, "rays that march"),
+        ],
+    },
+    Entry {
         number: 10,
         name: "csg",
         question: "How do spans along a ray make solids out of solids, and when do the documents' rules break?",
@@ -108,6 +120,22 @@ pub const SYLLABUS: &[Entry] = &[
         chapter: "Surfaces",
         introduces: &["accel"],
         builds_on: &[(4, "the watertight triangle"), (11, "meshes")],
+    },
+    Entry {
+        number: 14,
+        name: "colour",
+        question: "What do three numbers keep of a colour, and what does each shortcut lose?",
+        chapter: "Light",
+        introduces: &[],
+        builds_on: &[(3, "a first picture: radiance in three channels")],
+    },
+    Entry {
+        number: 16,
+        name: "reflection_models",
+        question: "Which reflection models create or lose light, where, and what does the exact one cost?",
+        chapter: "Light and matter",
+        introduces: &["bsdf", "fresnel"],
+        builds_on: &[(3, "a light, a shadow and a first picture")],
     },
 ];
 

@@ -160,6 +160,54 @@ pub const OBJECTS: &[Rule] = &[
         ],
     ),
     own(
+        "Julia",
+        "A slice of a quaternion Julia set [A §2.4]: the points x + y i + z j + w k that are no farther than `Bailout` from 0 \
+         after `Iterations` steps of q² + c.",
+        &[
+            MATERIAL,
+            Param::new(
+                "C",
+                "c0 c1 c2 c3",
+                Kind::Numbers { count: 4, domain: ANY },
+                Default::Numbers(&[-0.2, 0.6, 0.2, 0.2]),
+                "the quaternion that is added, its factors of 1, i, j and k; its length is at most 100",
+            ),
+            Param::new(
+                "Iterations",
+                "steps",
+                Kind::Integers { count: 1, from: 0, to: 100 },
+                Default::Integers(&[8]),
+                "steps of the iteration; each doubles the degree of the surface",
+            ),
+            Param::new(
+                "NormalIterations",
+                "steps",
+                Kind::Integers { count: 1, from: 0, to: 100 },
+                Default::Absent,
+                "steps of the iteration whose gradient shades; none: those of the surface",
+            ),
+            Param::new(
+                "Bailout",
+                "length",
+                number(Domain::Positive),
+                Default::Numbers(&[2.0]),
+                "what counts as far; at most 10⁶⁰",
+            ),
+            Param::new(
+                "W",
+                "w",
+                number(ANY),
+                Default::Numbers(&[0.0]),
+                "the slice: the factor of k of all points",
+            ),
+            point("Center", ZERO, "its point 0"),
+            length("Unit", &[1.0], "the length of its 1"),
+            MOVED,
+            TURNED,
+            STRETCHED,
+        ],
+    ),
+    own(
         "Plane",
         "A plane without bounds [A §2.3].",
         &[

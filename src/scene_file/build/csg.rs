@@ -1,8 +1,8 @@
 //! From blocks to solids made of solids.
 
-use super::mesh;
 use super::objects::{contradiction, lacks_numbers, solid};
 use super::transformation::transformation;
+use super::{is_spoilt, mesh};
 use crate::csg::{Csg, Tree};
 use crate::mesh::ClosedMesh;
 use crate::scene::Object;
@@ -72,7 +72,7 @@ impl Workshop<'_> {
         let wrong = |message: &str| Diagnostic::error(block.keyword.clone(), message);
         let expected = "`Source \"file.csg\"`, or one solid or operation inside it";
         match (block.entry("Source"), &block.children[..]) {
-            (Some(_), []) => self.from_file(block, from, log),
+            (Some(_), []) => self.named_file(block, from, log),
             (None, [inner]) => self.part(inner, from, Where::Scene, log),
             (None, []) => {
                 log.push(wrong("the `CSG` is empty").expected(expected));
@@ -95,7 +95,14 @@ impl Workshop<'_> {
         }
     }
 
-    fn from_file(&mut self, block: &Block, from: From, log: &mut Vec<Diagnostic>) -> Option<Made> {
+    fn named_file(&mut self, block: &Block, from: From, log: &mut Vec<Diagnostic>) -> Option<Made> {
+        let span = block.span("Source");
+        if log.iter().any(|d| d.severity == Severity::Error && d.span.start == span.start) {
+            return None; // a text that does not end names no file
+        }
+        if is_spoilt(&block.span("Source"), log) {
+            return None;
+        }
         let path = self.folder.join(block.word("Source")?);
         let wrong = |message: String| Diagnostic::error(block.span("Source"), message);
         let file = match csg::read_file(&path) {

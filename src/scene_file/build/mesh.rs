@@ -1,5 +1,6 @@
 //! From a block and the OBJ file it names to a mesh.
 
+use super::is_spoilt;
 use super::transformation::transformation;
 use crate::color::Rgb;
 use crate::mesh::{Mesh, Polygons};
@@ -58,7 +59,7 @@ pub fn read(
     files: &mut Vec<Diagnostics>,
     log: &mut Vec<Diagnostic>,
 ) -> Option<ObjFile> {
-    if block.is_broken() {
+    if block.is_broken() || is_spoilt(&block.span("Source"), log) {
         return None; // reported where it was read
     }
     let path = folder.join(block.word("Source")?);

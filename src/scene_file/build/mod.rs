@@ -6,7 +6,7 @@ mod objects;
 mod transformation;
 
 use super::blocks::{MOST_CELLS, MOST_PIXELS};
-use super::diagnostic::{Diagnostic, Diagnostics, Severity};
+use super::diagnostic::{Diagnostic, Diagnostics, Severity, Span};
 use super::format::{Role, State};
 use super::parse::{Block, Parsed};
 use super::{Given, Settings, declared, pending};
@@ -57,6 +57,12 @@ fn scene(
     scene.lights = lights;
     log.extend(darkness(&scene, blocks).filter(|_| remark));
     Some((scene, settings))
+}
+
+/// Was a value already found wrong as a word, so that what it names is not to be trusted?
+fn is_spoilt(value: &Span, log: &[Diagnostic]) -> bool {
+    let overlaps = |d: &Diagnostic| d.span.start < value.end && value.start < d.span.end;
+    log.iter().any(|d| d.severity == Severity::Error && overlaps(d))
 }
 
 /// The blocks of a role, in the file's order.

@@ -11,6 +11,7 @@ use crate::scene_file::diagnostic::{Diagnostic, Diagnostics};
 use crate::scene_file::format::{Default, Kind, Param, Role, State};
 use crate::scene_file::parse::Block;
 use crate::sdf::Menger;
+use crate::sdf::julia::{Julia, LARGEST_C};
 use crate::shape::cone::Cone;
 use crate::shape::cylinder::Cylinder;
 use crate::shape::disc::Disc;
@@ -19,7 +20,7 @@ use crate::shape::quadric::{ClippedQuadric, Coefficients, Quadric};
 use crate::shape::torus::Torus;
 use crate::shape::triangle::Triangle;
 use crate::shape::{ShapeError, Sides};
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, DVec4};
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -101,6 +102,12 @@ pub fn contradiction(block: &Block) -> Option<Diagnostic> {
             let d = Diagnostic::error(at("Major", "Minor"), message).expected("`Major` above `Minor`");
             (major <= minor).then(|| d.found(format!("Major {major} and Minor {minor}")))
         }
+        "Julia" => {
+            let length = DVec4::from(block.numbers("C")).length();
+            let d = Diagnostic::error(block.span("C"), "the `C` of the `Julia` is too long");
+            let d = d.expected(format!("a length of at most {LARGEST_C}"));
+            (!(length <= LARGEST_C)).then(|| d.found(length.to_string()))
+        }
         "Quadric" => {
             let clip = clip_box(block);
             let d = Diagnostic::error(at("ClipMin", "ClipMax"), "the clip box is empty");
@@ -160,6 +167,7 @@ pub fn solid(block: &Block, map: DAffine3) -> Option<MadeSolid> {
         "Quadric" if clip_box(block) == Aabb::EVERYTHING => {
             quadric(block).and_then(|quadric| instance(quadric, map)).map(Put::solid)
         }
+        "Julia" => julia(block, map),
         "Menger" => {
             let [depth] = block.integers("Depth").map(natural);
             placed(map, |by| Menger::new(vector("Center") + by, scalar("Edge"), depth)).map(Put::solid)
@@ -188,6 +196,19 @@ fn torus(block: &Block, map: DAffine3) -> MadeSolid {
     let stand = DAffine3::from_mat3_translation(DMat3::from_cols(x, y, axis), vector(block, "Center"));
     let torus = Torus::new(scalar(block, "Major"), scalar(block, "Minor"))?;
     Ok(instance(torus, map * stand)?.solid())
+}
+
+/// A Julia set is made about the origin with unit 1; an instance brings it to its centre and size.
+fn julia(block: &Block, map: DAffine3) -> MadeSolid {
+    let [iterations] = block.integers("Iterations").map(|n| u32::try_from(n).unwrap_or(0));
+    let c = DVec4::from(block.numbers("C"));
+    let mut julia = Julia::new(c, iterations, scalar(block, "Bailout"), scalar(block, "W"))?;
+    if block.entry("NormalIterations").is_some() {
+        let [steps] = block.integers("NormalIterations").map(|n| u32::try_from(n).unwrap_or(0));
+        julia = julia.with_normals_after(steps);
+    }
+    let unit = DAffine3::from_scale(DVec3::splat(scalar(block, "Unit")));
+    Ok(instance(julia, map * DAffine3::from_translation(vector(block, "Center")) * unit)?.solid())
 }
 
 /// The box of `ClipMin` and `ClipMax`; where one is not written, endless that way.

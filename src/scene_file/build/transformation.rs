@@ -17,14 +17,14 @@ pub type MadeSolid = Result<Box<dyn Solid>, ShapeError>;
 /// A shape in its place.
 pub enum Put<S: Shape> {
     AsItIs(S),
-    Moved(Instance<S>),
+    Moved(Box<Instance<S>>),
 }
 
 impl<S: Shape + 'static> Put<S> {
     pub fn shape(self) -> Box<dyn Shape> {
         match self {
             Put::AsItIs(shape) => Box::new(shape),
-            Put::Moved(shape) => Box::new(shape),
+            Put::Moved(shape) => shape,
         }
     }
 }
@@ -33,7 +33,7 @@ impl<S: Solid + 'static> Put<S> {
     pub fn solid(self) -> Box<dyn Solid> {
         match self {
             Put::AsItIs(solid) => Box::new(solid),
-            Put::Moved(solid) => Box::new(solid),
+            Put::Moved(solid) => solid,
         }
     }
 }
@@ -73,7 +73,7 @@ pub fn instance<S: Shape>(shape: S, map: DAffine3) -> Result<Put<S>, ShapeError>
     if map == DAffine3::IDENTITY {
         return Ok(Put::AsItIs(shape));
     }
-    Ok(Put::Moved(Instance::new(Box::new(shape), map)?))
+    Ok(Put::Moved(Box::new(Instance::new(Box::new(shape), map)?)))
 }
 
 /// The factors of a map that only stretches along the axes and moves.

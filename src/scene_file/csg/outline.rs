@@ -10,20 +10,29 @@ const MOST_LINES: usize = 200;
 impl CsgFile {
     /// Every node under what holds it, also of files that are wrong: `Sphere 0`, `(missing)`, `Union 1 (holds itself)`.
     pub fn outline(&self) -> String {
-        let mut lines = Vec::new();
-        let first = [0];
-        let tops = match &self.links.tops[..] {
-            [] if !self.blocks.is_empty() => &first[..], // all in a circle
-            tops => tops,
-        };
-        for &top in tops {
-            self.add(Some(top), String::new(), "", &mut Vec::new(), &mut lines);
+        let (mut lines, mut shown) = (Vec::new(), vec![false; self.blocks.len()]);
+        let rest = 0..self.blocks.len(); // what goes in circles hangs on no top
+        for node in self.links.tops.iter().copied().chain(rest) {
+            if !shown[node] {
+                self.add(Some(node), String::new(), "", &mut Vec::new(), &mut lines);
+                self.mark(node, &mut shown);
+            }
         }
         if lines.len() > MOST_LINES {
             lines.truncate(MOST_LINES);
             lines.push("…".to_owned());
         }
         lines.iter().map(|line| format!("  {line}\n")).collect()
+    }
+
+    /// Everything below a node has been shown with it.
+    fn mark(&self, node: usize, shown: &mut [bool]) {
+        let mut open = vec![node];
+        while let Some(node) = open.pop() {
+            if !std::mem::replace(&mut shown[node], true) {
+                open.extend(self.links.operands[node].iter().flatten());
+            }
+        }
     }
 
     fn add(

@@ -48,14 +48,14 @@ impl Writer {
             };
         }
         let Some(operation) = operation(block) else {
-            return Ok(self.block(name, block.entries.iter().chain(more), &[]));
+            return Ok(self.block(name, own(block).chain(more), &[]));
         };
         if found < 2 {
             return Err(NotWritten::Operands { name, line, expected: "two or more", found });
         }
         let operands: Vec<Written> =
             block.children.iter().map(|c| self.node(c, &[])).collect::<Result<_, _>>()?;
-        let entries = || block.entries.iter().chain(more);
+        let entries = || own(block).chain(more);
         let last = operands.len() - 1;
         let mut left = operands[0];
         for (i, right) in operands.iter().enumerate().skip(1) {
@@ -88,6 +88,11 @@ impl Writer {
         self.out.push_str("}\n\n");
         (name, index)
     }
+}
+
+/// What the block says of itself, and not of who its operands are.
+fn own(block: &Block) -> impl Iterator<Item = &Entry> {
+    block.entries.iter().filter(|e| !(e.param.name.ends_with("Type") || e.param.name.ends_with("Index")))
 }
 
 fn transformations(block: &Block) -> impl Iterator<Item = &Entry> {

@@ -10,9 +10,9 @@ use super::set::Set;
 use crate::bounds::Aabb;
 use glam::DVec3;
 
-/// Cells along an edge. Tuned: with 32 rays walk longer through cells that may hold something, with 128 the
-/// grid takes longer to make than a small picture.
-const SIDE: usize = 64;
+/// Cells along an edge. Tuned: with 32 rays look longer at cells that may hold something, with 64 they leap over more cells, and the
+/// grid takes three times as long to make.
+const SIDE: usize = 48;
 /// Cells along an edge with the border of empty ones.
 const PADDED: usize = SIDE + 2;
 /// Blocks of so many cells' edges are looked at first.
@@ -80,52 +80,86 @@ impl Grid {
 
     /// Ball, box and distances, from the cells that may hold something.
     fn measure(&mut self, radius: f64) {
+        let (pad, edge) = (self.cell * (MARGIN - 1.0), DVec3::splat(self.cell));
+        let (mut farthest, mut bounds) = (0.0f64, Aabb::EMPTY);
         for z in 0..SIDE {
             for y in 0..SIDE {
-                for x in 0..SIDE {
-                    if self.distance[index(x, y, z)] == 0 {
-                        let min = DVec3::new(x as f64, y as f64, z as f64) * self.cell - self.half;
-                        let pad = self.cell * (MARGIN - 1.0);
-                        let cell = Aabb::new(min - pad, min + (self.cell + pad));
-                        self.bounds = self.bounds.union(&cell);
-                        self.radius = self.radius.max(min.abs().max((min + self.cell).abs()).length());
-                    }
+                let row = &self.distance[index(0, y, z)..][..SIDE];
+                // The first and the last of a row are its farthest.
+                let (Some(first), Some(last)) =
+                    (row.iter().position(|d| *d == 0), row.iter().rposition(|d| *d == 0))
+                else {
+                    continue;
+                };
+                for x in [first, last] {
+                    let min = DVec3::new(x as f64, y as f64, z as f64) * self.cell - self.half;
+                    farthest = farthest.max(min.abs().max((min + edge).abs()).length_squared());
+                    bounds = bounds.union(&Aabb::new(min - pad, min + edge + pad));
                 }
             }
         }
-        self.radius = (self.radius * MARGIN).min(radius);
+        (self.radius, self.bounds) = ((farthest.sqrt() * MARGIN).min(radius), bounds);
         for _ in 0..2 {
             sweep(&mut self.distance);
             self.distance.reverse();
         }
     }
 
-    /// Where the line next enters a cell that may hold something, from `s` on; `end` if there is none before.
+    /// A line in cells.
     #[inline(always)]
-    pub fn skip(&self, middle: DVec3, direction: DVec3, inverse: DVec3, mut s: f64, end: f64) -> f64 {
+    pub fn path(&self, middle: DVec3, direction: DVec3) -> Path {
+        let axis = |middle: f64, direction: f64| {
+            let (start, speed) = ((middle + self.half) * self.per_cell, direction * self.per_cell);
+            // A line along an axis never leaves a cell across it; 1/speed is a number from 10⁻³⁰⁰ on.
+            let still = speed.abs() < 1.0e-300;
+            let (to_middle, per_cell) =
+                if still { (f64::INFINITY, 0.0) } else { ((0.5 - start) / speed, 1.0 / speed) };
+            PathAxis { start, speed, to_middle, per_cell }
+        };
+        Path { axes: [axis(middle.x, direction.x), axis(middle.y, direction.y), axis(middle.z, direction.z)] }
+    }
+
+    /// Where the line next enters a cell that may hold something, from `s` on; `end` if there is none before.
+    ///
+    /// A cell at distance `n` is the middle of a cube of `2n − 1` empty ones along each edge, and the line leaves that next.
+    #[inline(always)]
+    pub fn skip(&self, path: &Path, mut s: f64, end: f64) -> f64 {
         let nudge = self.cell * 0.5 * (MARGIN - 1.0);
+        let last = SIDE as i32 - 1;
         while s < end {
-            let p = (middle + direction * s + self.half) * self.per_cell;
-            // Conversions saturate: what lies outside the cube is looked at in its nearest cell.
-            let [x, y, z] = [p.x, p.y, p.z].map(|x| (x as usize).min(SIDE - 1));
-            let distance = self.distance[index(x, y, z)];
+            // What lies outside the grid is looked at in its nearest cell.
+            let [x, y, z] = path.axes.map(|a| ((a.start + a.speed * s) as i32).clamp(0, last));
+            let distance = self.distance[index(x as usize, y as usize, z as usize)];
             if distance == 0 {
                 return s;
             }
-            let reach = f64::from(distance);
-            let face = |i: usize, middle: f64, inverse: f64| {
-                let face = if inverse < 0.0 { i as f64 + 1.0 - reach } else { i as f64 + reach };
-                (face * self.cell - self.half - middle) * inverse
-            };
-            let (tx, ty, tz) =
-                (face(x, middle.x, inverse.x), face(y, middle.y, inverse.y), face(z, middle.z, inverse.z));
-            // A line along a face gives 0·∞ = NaN there, which no comparison takes.
+            let reach = f64::from(distance) - 0.5;
+            let leave =
+                |a: &PathAxis, i: i32| a.to_middle + f64::from(i) * a.per_cell + reach * a.per_cell.abs();
+            let [a, b, c] = &path.axes;
+            let (tx, ty, tz) = (leave(a, x), leave(b, y), leave(c, z));
             let t = if tx < ty { tx } else { ty };
             let t = if tz < t { tz } else { t };
-            s = if t > s { t + nudge } else { s + nudge };
+            s = if t > s { t } else { s } + nudge;
         }
         end
     }
+}
+
+/// A line in cells, axis by axis.
+#[derive(Clone, Copy)]
+pub(super) struct Path {
+    axes: [PathAxis; 3],
+}
+
+#[derive(Clone, Copy)]
+struct PathAxis {
+    /// Cells at `s = 0`, and per unit of `s`.
+    start: f64,
+    speed: f64,
+    /// `s` at the middle of cell 0, and per cell.
+    to_middle: f64,
+    per_cell: f64,
 }
 
 impl Survey<'_> {
@@ -175,20 +209,21 @@ impl Survey<'_> {
 
 /// Carries distances forwards, by one step for each of the neighbours that come before; there and back is all of them.
 fn sweep(d: &mut [u8]) {
-    let mut best = [0; PADDED];
-    for row in (1..PADDED * PADDED - 1).filter(|row| (1..=SIDE).contains(&(row % PADDED)) && row / PADDED > 0)
-    {
-        let (before, here) = d.split_at_mut(row * PADDED);
-        let near = |back: usize| &before[before.len() - back * PADDED..][..PADDED];
-        let rows = [near(1), near(PADDED - 1), near(PADDED), near(PADDED + 1)];
-        for x in 0..PADDED {
-            best[x] = rows[0][x].min(rows[1][x]).min(rows[2][x]).min(rows[3][x]);
-        }
-        let mut last = u8::MAX;
-        for x in 1..=SIDE {
-            let least = best[x - 1].min(best[x]).min(best[x + 1]).min(last).saturating_add(1);
-            last = here[x].min(least);
-            here[x] = last;
+    let mut best = [0u8; PADDED];
+    for z in 1..PADDED {
+        for y in 1..=SIDE {
+            let (before, here) = d.split_at_mut((z * PADDED + y) * PADDED);
+            let near = |back: usize| &before[before.len() - back * PADDED..][..PADDED];
+            let rows = [near(1), near(PADDED - 1), near(PADDED), near(PADDED + 1)];
+            for (x, best) in best.iter_mut().enumerate() {
+                *best = rows[0][x].min(rows[1][x]).min(rows[2][x]).min(rows[3][x]);
+            }
+            let mut last = u8::MAX;
+            for (here, three) in here[1..=SIDE].iter_mut().zip(best.windows(3)) {
+                let least = three[0].min(three[1]).min(three[2]).min(last).saturating_add(1);
+                last = least.min(*here);
+                *here = last;
+            }
         }
     }
 }

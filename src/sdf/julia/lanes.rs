@@ -17,6 +17,8 @@ pub(super) trait Lanes:
     fn above(self, other: Self) -> Self;
     /// A mask: where both are set.
     fn and(self, other: Self) -> Self;
+    /// A mask: where `self` is set and `other` is not.
+    fn without(self, other: Self) -> Self;
     /// `a` where the mask is set, else `b`.
     fn pick(self, a: Self, b: Self) -> Self;
     /// Is the mask set anywhere?
@@ -86,6 +88,11 @@ impl Lanes for Plain {
     }
 
     #[inline(always)]
+    fn without(self, other: Self) -> Self {
+        self.zip(other, |x, y| f64::from_bits(x.to_bits() & !y.to_bits()))
+    }
+
+    #[inline(always)]
     fn pick(self, a: Self, b: Self) -> Self {
         Plain(std::array::from_fn(|i| if self.0[i].to_bits() != 0 { a.0[i] } else { b.0[i] }))
     }
@@ -142,6 +149,11 @@ mod avx2 {
         #[inline(always)]
         fn and(self, other: Self) -> Self {
             Avx2(unsafe { _mm256_and_pd(self.0, other.0) })
+        }
+
+        #[inline(always)]
+        fn without(self, other: Self) -> Self {
+            Avx2(unsafe { _mm256_andnot_pd(other.0, self.0) })
         }
 
         #[inline(always)]

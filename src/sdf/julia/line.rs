@@ -7,14 +7,13 @@ use crate::ray::Ray;
 use glam::DVec3;
 
 /// `|q|²` beyond which an orbit is gone: its square, and the product with the derivative, are still finite.
-const GONE: f64 = 1.0e70;
+const GONE: f64 = 1.0e140;
 
 /// The line `middle + s direction`, with a unit direction, and what the iteration needs of it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
     pub middle: DVec3,
     pub direction: DVec3,
-    pub inverse: DVec3,
     /// `s` of the ray's origin, and lengths of the ray's direction per unit of `s`.
     origin: f64,
     speed: [f64; 2],
@@ -51,7 +50,6 @@ impl Line {
         Some(Line {
             middle,
             direction,
-            inverse: direction.recip(),
             origin,
             speed: [largest, length],
             enter: -b - half,
@@ -96,7 +94,7 @@ impl Line {
     }
 
     /// `|q_N|²` and half its derivative at one place. An orbit that leaves for good may overflow: then ∞ and 0.
-    #[inline]
+    #[inline(always)]
     pub fn value(&self, set: &Set, s: f64) -> (f64, f64) {
         let [p0, p1, p2] = self.p;
         let (mut a, mut u, mut da, mut du) = (self.a + s * self.da, self.u + s * self.du, self.da, self.du);

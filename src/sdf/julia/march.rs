@@ -14,15 +14,23 @@ use crate::num::U;
 /// Looks at four places before a search gives up and takes the place it has reached for the surface: a ray that creeps
 /// along a fractal more closely than rounding can tell. (Of 10⁷ random rays none took 1000.)
 const MOST_LOOKS: usize = 100_000;
-/// Length of the window that is looked at first [cells of the grid]; tuned.
+/// Length of the window that is looked at first [cells of the grid]. Tuned: at 1.4 and at 3.5 hits take more looks.
 const WINDOW: f64 = 2.0;
 
 /// Shares of the width at which places are looked at: evenly; towards a root; from a start on.
 const EVEN: [f64; LANES] = [0.125, 0.375, 0.625, 0.875];
-const TOWARDS: [f64; LANES] = [0.3, 0.65, 0.86, 0.95];
-const FRESH: [f64; LANES] = [0.0, 0.15, 0.45, 0.8];
+const TOWARDS: [f64; LANES] = [0.25, 0.6, 0.85, 0.96];
+const AWAY: [f64; LANES] = [0.07, 0.23, 0.48, 0.82];
+const FRESH: [f64; LANES] = [0.0, 0.08, 0.25, 0.55];
 /// Width of four places by the reach of one. Each covers two reaches, so 8 would leave no overlap; tuned.
 const SPREAD: f64 = 6.0;
+/// The same where each reaches farther than the one before.
+const SPREAD_AWAY: f64 = 10.0;
+/// A root is near if the first of the places towards it is within reach: a quarter of half a width.
+const NEAR: f64 = 0.5;
+
+/// A step of Newton's of so many grains (10⁻⁹) is the last: squared, and times a curvature of up to 10³, it is no grain.
+const LAST: f64 = (1 << 20) as f64;
 
 /// What is asked.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -61,6 +69,8 @@ struct Front {
     end: f64,
     /// A root with the other sign behind it.
     root: Option<f64>,
+    /// Does the line lead away from the surface, so that each place reaches farther than the one before?
+    away: bool,
     /// Has nothing been looked at yet?
     fresh: bool,
 }
@@ -71,13 +81,13 @@ impl Search<'_> {
     pub fn run<V: Lanes>(&self, from: f64, end: f64, fresh: bool) -> Found {
         let window = WINDOW * self.grid.cell();
         let grain = self.grain();
-        let mut front = Front { clear: from, width: window, end, root: None, fresh };
+        let path = self.grid.path(self.line.middle, self.line.direction);
+        let mut front = Front { clear: from, width: window, end, root: None, away: false, fresh };
         for _ in 0..MOST_LOOKS {
             if front.root.is_none() && !self.inside && !front.fresh {
-                let line = self.line;
-                let next = self.grid.skip(line.middle, line.direction, line.inverse, front.clear, end);
+                let next = self.grid.skip(&path, front.clear, end);
                 if next > front.clear {
-                    (front.clear, front.width) = (next, window);
+                    (front.clear, front.width, front.away) = (next, window, false);
                 }
             }
             if !(front.clear < front.stop()) {
@@ -108,7 +118,7 @@ impl Search<'_> {
                     return Some(Found::At(s));
                 }
                 let before = if i > 0 { places[i - 1] } else { front.clear };
-                front.root = Some(self.root(before, s, grain));
+                front.root = Some(self.root([before, s], self.guess(look, places, i), grain));
                 break;
             }
             if reach.is_none() {
@@ -127,7 +137,9 @@ impl Search<'_> {
             return Some(Found::At(root));
         }
         let ahead = last.map_or(f64::INFINITY, |i| look.ahead[i]);
-        let width = SPREAD * ahead.min(reach.unwrap_or(f64::INFINITY));
+        front.away = reach.is_none() && last.is_some_and(|i| (look.delta[i] > 0.0) != self.inside);
+        let spread = if front.away { SPREAD_AWAY } else { SPREAD };
+        let width = spread * ahead.min(reach.unwrap_or(f64::INFINITY));
         // Where nothing was gained, the places move together, down to what rounding can tell apart.
         front.width = if front.clear > before { width } else { width.min(0.5 * front.width) };
         if front.width < grain {
@@ -158,13 +170,27 @@ impl Search<'_> {
         4.0 * U * (line.enter.abs().max(line.leave.abs()) + line.middle.length())
     }
 
+    /// Where Newton's step leads from place `i`, which has the other sign, or from the one before it, whichever is nearer to the surface.
+    #[inline(always)]
+    fn guess(&self, look: &Stretches, places: &[f64; LANES], i: usize) -> f64 {
+        let b2 = self.set.bailout() * self.set.bailout();
+        let log = |i: usize| {
+            let n = look.alpha[i] * look.alpha[i];
+            (n - b2) / (n + b2)
+        };
+        let from = if i > 0 && log(i - 1).abs() < log(i).abs() { i - 1 } else { i };
+        places[from] - log(from) * look.alpha[from] / look.delta[from]
+    }
+
     /// A root between two places of different sign, by Newton's steps on `ln |q|`, and bisection where they leave.
     ///
     /// `|q_N|` grows like an exponential, its logarithm almost evenly; `½ ln z = (z − 1)/(z + 1) + O((z − 1)³)` is
-    /// near enough close to the root. Ends when a step no longer moves the place.
-    fn root(&self, mut before: f64, mut behind: f64, grain: f64) -> f64 {
+    /// near enough close to the root. Each step squares the error.
+    #[inline(always)]
+    fn root(&self, [mut before, mut behind]: [f64; 2], guess: f64, grain: f64) -> f64 {
         let b2 = self.set.bailout() * self.set.bailout();
-        let mut s = 0.5 * (before + behind);
+        let last = LAST * grain;
+        let mut s = if before < guess && guess < behind { guess } else { 0.5 * (before + behind) };
         while behind - before > grain {
             let (n, half_dn) = self.line.value(self.set, s);
             if (n > b2) != self.inside {
@@ -174,7 +200,7 @@ impl Search<'_> {
             }
             let step = (n - b2) / (n + b2) * n / half_dn;
             let next = s - step;
-            if step.abs() <= 0.25 * grain {
+            if step.abs() <= last {
                 return next.clamp(before, behind);
             }
             s = if before < next && next < behind { next } else { 0.5 * (before + behind) };
@@ -199,8 +225,11 @@ impl Front {
         if self.fresh {
             return FRESH.map(|x| self.clear + x * width);
         }
-        if self.root.is_some() && 2.0 * width >= rest {
+        if self.root.is_some() && rest <= NEAR * self.width {
             return TOWARDS.map(|x| self.clear + x * rest);
+        }
+        if self.away {
+            return AWAY.map(|x| self.clear + x * width);
         }
         EVEN.map(|x| self.clear + x * width)
     }

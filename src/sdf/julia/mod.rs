@@ -40,23 +40,28 @@ use march::{Ask, Found, Search};
 use set::Set;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
-/// Most steps of the iteration: `β²` of [`reach`] stays below 2·10¹⁴².
+/// Most steps of the iteration.
 pub const MOST_ITERATIONS: u32 = 100;
-/// Largest `|c|`: beyond 2 the endless iteration leaves nothing but dust.
-pub const LARGEST_C: f64 = 4.0;
-/// Largest bailout: squares and their derivatives stay finite.
-pub const LARGEST_BAILOUT: f64 = 1.0e6;
+/// Largest `|c|`: what stays lies within 10.6 of the origin, and `β²` of [`reach`] stays below (21.1)²⁰⁰ = 10²⁶⁵. (Beyond 2 the
+/// endless iteration leaves nothing but dust.)
+pub const LARGEST_C: f64 = 100.0;
+/// Largest bailout: what may still come back is shorter than 1.4·10³⁰, its square squared still a number.
+pub const LARGEST_BAILOUT: f64 = 1.0e60;
 
 /// The solid of points whose orbit has not left after `N` steps.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Julia {
     c: DVec4,
     iterations: u32,
     method: JuliaMethod,
     vectors: Vectors,
     set: Set,
-    grid: Grid,
+    /// Whose gradient shades, if it is not the set's own.
+    shading: Option<Set>,
+    /// Shared by all copies.
+    grid: Arc<Grid>,
 }
 
 impl Julia {
@@ -67,25 +72,36 @@ impl Julia {
     pub fn new(c: DVec4, iterations: u32, bailout: f64, w: f64) -> Result<Self, ShapeError> {
         let range = |what, allowed, found| Err(ShapeError::OutOfRange { what, allowed, found });
         if !(c.length() <= LARGEST_C) {
-            return range("c of a Julia set", "a length of at most 4", c.length());
+            return range("c of a Julia set", "a length of at most 100", c.length());
         }
         if iterations > MOST_ITERATIONS {
             return range("iterations of a Julia set", "at most 100", f64::from(iterations));
         }
         if !(bailout > 0.0 && bailout <= LARGEST_BAILOUT) {
-            return range("bailout of a Julia set", "a number above 0, at most 10⁶", bailout);
+            return range("bailout of a Julia set", "a number above 0, at most 10⁶⁰", bailout);
         }
         if !w.is_finite() {
             return Err(ShapeError::NotFinite { what: "w of a Julia set", found: w });
         }
         let set = Set::new(c, iterations, bailout, w);
-        let grid = survey(&set);
-        Ok(Julia { c, iterations, method: JuliaMethod::Certified, vectors: Vectors::default(), set, grid })
+        let grid = Arc::new(survey(&set));
+        let (method, vectors) = (JuliaMethod::Certified, Vectors::default());
+        Ok(Julia { c, iterations, method, vectors, set, shading: None, grid })
     }
 
     /// The same set, met by another method.
     pub fn with_method(self, method: JuliaMethod) -> Self {
         Julia { method, ..self }
+    }
+
+    /// The same set, shaded by the gradient of `|q_n|` after another number of steps: POV-Ray's is one ahead of its surface, and
+    /// with many more it is the gradient of the potential, which smooths what a low bailout cuts.
+    ///
+    /// - Domain: at most [`MOST_ITERATIONS`], else that many; where the orbit overflows the surface's own normal is kept.
+    pub fn with_normals_after(self, iterations: u32) -> Self {
+        let steps = iterations.min(MOST_ITERATIONS);
+        let other = (steps != self.iterations).then(|| Set::new(self.c, steps, self.bailout(), self.w()));
+        Julia { shading: other, ..self }
     }
 
     /// The same set, computed by other instructions; the answers are the same bits.
@@ -155,8 +171,7 @@ impl Julia {
         ask: Ask,
         mut visit: impl FnMut(f64, bool) -> ControlFlow<()>,
     ) {
-        let Julia { set, grid, .. } = self;
-        let mut search = Search { set, grid, line, inside: false, ask };
+        let mut search = Search { set: &self.set, grid: &self.grid, line, inside: false, ask };
         // Before the ball a ray is outside.
         let (mut from, mut fresh) = if from > line.enter { (from, true) } else { (line.enter, false) };
         let end = end.min(line.leave);
@@ -189,6 +204,18 @@ impl Julia {
             ControlFlow::Break(())
         });
         found
+    }
+}
+
+/// What it is made of; not the grid, which follows from that.
+impl std::fmt::Debug for Julia {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (bailout, w) = (self.bailout(), self.w());
+        let mut shown = f.debug_struct("Julia");
+        shown.field("c", &self.c).field("iterations", &self.iterations);
+        shown.field("bailout", &bailout).field("w", &w).field("method", &self.method);
+        let steps = self.shading.as_ref().map_or(self.iterations, |set| set.iterations());
+        shown.field("normals_after", &steps).finish()
     }
 }
 
@@ -252,7 +279,7 @@ impl Shape for Julia {
         let Some(line) = Line::new(&self.set, ray, self.grid.radius) else { return };
         self.walk(&line, [line.s(0.0), f64::INFINITY], Ask::First, |s, _| {
             let t = line.t(s);
-            if t > 0.0 {
+            if t > 0.0 && t < f64::INFINITY {
                 out.push(Crossing::new(t, 0));
             }
             ControlFlow::Continue(())
@@ -287,7 +314,10 @@ impl Shape for Julia {
             point_error: (if error < self.radius() { error } else { self.radius() })
                 + gamma(4) * point.length(),
             ng: n,
-            n,
+            n: self
+                .shading
+                .as_ref()
+                .map_or(n, |set| crate::frame::unit(set.value(point).gradient).unwrap_or(n)),
             tangent: perpendicular_part(DVec3::new(n.z, 0.0, -n.x), n),
             uv: uv_of(point),
             face: crossing.face,

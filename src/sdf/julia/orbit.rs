@@ -33,6 +33,18 @@ pub fn norm<R: Real>([x, i, j, k]: Quaternion<R>) -> R {
     x * x + i * i + j * j + k * k
 }
 
+/// `|q|`, also where its square under- or overflows.
+pub fn length<R: Real>(q: Quaternion<R>) -> R {
+    let n = norm(q);
+    if (1.0e-270..1.0e270).contains(&n.to_f64()) {
+        return n.sqrt();
+    }
+    // By powers of two, which round nothing.
+    let up = 2f64.powi(if n.to_f64() < 1.0 { 600 } else { -600 });
+    let (up, down) = (R::from_f64(up), R::from_f64(1.0 / up));
+    norm(q.map(|x| x * up)).sqrt() * down
+}
+
 /// The least radius from which no orbit returns: `r² − |c| = r`.
 ///
 /// ```text
@@ -69,15 +81,14 @@ pub struct Escape<R> {
 /// - Accuracy: errors grow with `|q'|`. In `f64` the last digit of `|q|` is lost at `|q'|` = 10¹⁶, in
 ///   double-double at 10³¹.
 pub fn escape<R: Real>(mut q: Quaternion<R>, c: Quaternion<R>, most: u32, bailout: f64) -> Escape<R> {
-    let limit = R::from_f64(bailout) * R::from_f64(bailout);
     let mut derivative = R::from_f64(1.0);
     for steps in 0.. {
-        let n = norm(q);
-        let escaped = n > limit;
+        let size = length(q);
+        let escaped = size > R::from_f64(bailout);
         if escaped || steps == most {
-            return Escape { escaped, steps, q, size: n.sqrt(), derivative };
+            return Escape { escaped, steps, q, size, derivative };
         }
-        derivative = R::from_f64(2.0) * n.sqrt() * derivative;
+        derivative = (size + size) * derivative;
         q = squared_plus(q, c);
     }
     unreachable!("an orbit ends after `most` steps")
@@ -128,7 +139,7 @@ pub fn safe_step<R: Real>(q: DVec4, c: DVec4) -> f64 {
     let (mut q, c_size, c) = (quaternion::<R>(q), c.length(), quaternion::<R>(c));
     let (mut sizes, mut error, mut best) = (Vec::new(), 0.0, 0.0f64);
     while sizes.len() < MOST_STEPS {
-        let size = norm(q).sqrt().to_f64();
+        let size = length(q).to_f64();
         let gap = size * (1.0 - 2.0 * U) - error - radius;
         if gap > 0.0 {
             let back = |r: f64, size: &f64| r / ((size * size + r).sqrt() + size);

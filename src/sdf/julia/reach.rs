@@ -8,33 +8,32 @@
 //! ```
 //!
 //! To first order `m_n = β_n h` with `β_{n+1} = 2 α_n β_n`, which is Hart's `|q'|`. What `m_n` exceeds that by bounds
-//! everything in `q_n` that is not linear in the step. With `κ_{n+1} = β_n² + 2 α_n κ_n`, `L = κ/β` and `x = L h ≤ ¼`:
+//! everything in `q_n` that is not linear in the step. With `κ_{n+1} = β_n² + 2 α_n κ_n`, `L = κ/β` and `x = L h`:
 //!
 //! ```text
-//! m_n ≤ β_n h (1 + x/(1 − a x)),   a = 1.68                                                      (2)
+//! m_n ≤ β_n h / (1 − x),   x < 1                                                                   (2)
 //! ```
 //!
-//! For the ratio `y_n = m_n/β_n h` grows by `1 + m_n/2α_n` a step, so `y ≤ exp(Σ m_k/2α_k) ≤ exp(x y)`, because
-//! `Σ β_k/2α_k = κ_n/β_n`; the solution of `y = exp(x y)` stays below (2) up to `x = ¼` (it is 1.4297 there, (2) is 1.4310).
+//! For the ratio `y_n = m_n/β_n h` obeys `y_{n+1} = y_n (1 + x_n y_n)` with `x_n = β_n h/2α_n`, so `1/y_{n+1} ≥ 1/y_n − x_n`, and
+//! the `x_n` add up to `x`, because `κ/β` grows by `β_n/2α_n` a step.
 //!
 //! Along a line with unit direction, `δ = d|q_n|/dh`, and since a norm is convex,
 //!
 //! ```text
-//! |q_n(h)| ≥ α + δ h − κ h²/(1 − a x)                                                              (3)
-//! |q_n(h)| ≤ α + δ h + (κ + β²/2α) h²/(1 − a x)                                                    (4)
+//! |q_n(h)| ≥ α + δ h − κ h²/(1 − x)                                                               (3)
+//! |q_n(h)| ≤ α + δ h + (κ + β²/2α) h²/(1 − x)                                                     (4)
 //! ```
 //!
-//! (3) above the threshold of its level is certainly outside, (4) below that of the last is certainly inside; both
-//! are quadratic equations for `h`.
+//! (3) above the threshold of its level is certainly outside, (4) below that of the last is certainly inside. Times `1 − x`
+//! both are quadratic equations for `h`, whose least positive solution lies before `x = 1`.
 
 use super::lanes::{LANES, Lanes, Plain};
 use super::set::{Reduced, Set};
 use glam::DVec3;
 
-/// `a` of (2).
-const GROWTH: f64 = 1.68;
-/// Largest `x` of (2).
-const MOST: f64 = 0.25;
+/// Least `4 α²` that counts, so that the products of a hundred steps stay numbers: `β² ≥ LEAST¹⁰⁰ = 10⁻²⁷¹`. A larger `α` makes all
+/// bounds shorter, hence still right: by 1/4000 a step where `α` = 1.
+const LEAST: f64 = 1.0 / 512.0;
 
 /// Points and directions of four places: what the iteration starts with, in the coordinates of [`Set`].
 #[derive(Clone, Copy)]
@@ -65,6 +64,7 @@ pub(super) struct Iterates<V> {
 pub(super) fn iterate<V: Lanes>(set: &Set, start: Start<V>) -> Iterates<V> {
     let Start { mut a, mut u, mut p, mut da, mut du, mut hp } = start;
     let (two, four, c0, k) = (V::splat(2.0), V::splat(4.0), V::splat(set.c0), V::splat(set.k));
+    let least = V::splat(LEAST);
     let (mut beta, mut kappa) = (V::splat(1.0), V::splat(0.0));
     let zero = V::splat(0.0);
     let mut out = Iterates { n: zero, half_dn: zero, beta, kappa, threshold: zero };
@@ -72,19 +72,21 @@ pub(super) fn iterate<V: Lanes>(set: &Set, start: Start<V>) -> Iterates<V> {
     for (i, level) in set.levels.iter().enumerate() {
         let (a2, u2, ada, udu) = (a * a, u * u, a * da, u * du);
         let (n, half_dn) = (a2 + u2 + p, ada + udu + hp);
-        out.n = open.pick(n, out.n);
-        out.half_dn = open.pick(half_dn, out.half_dn);
-        out.beta = open.pick(beta, out.beta);
-        out.kappa = open.pick(kappa, out.kappa);
-        out.threshold = open.pick(V::splat(level.threshold), out.threshold);
-        if i + 1 == set.levels.len() {
-            break; // what is still open is decided by the last level
+        let last = i + 1 == set.levels.len();
+        // At the last level what is still open is decided, before it what has gone far enough.
+        let decided = if last { open } else { open.and(n.above(V::splat(level.stop2))) };
+        if decided.any() {
+            out.n = decided.pick(n, out.n);
+            out.half_dn = decided.pick(half_dn, out.half_dn);
+            out.beta = decided.pick(beta, out.beta);
+            out.kappa = decided.pick(kappa, out.kappa);
+            out.threshold = decided.pick(V::splat(level.threshold), out.threshold);
+            open = open.without(decided);
+            if !open.any() {
+                break;
+            }
         }
-        open = open.and(V::splat(level.stop2).above(n));
-        if !open.any() {
-            break;
-        }
-        let twice = (four * n).sqrt();
+        let twice = (four * n + least).sqrt();
         kappa = beta * beta + twice * kappa;
         beta = twice * beta;
         let ta = a + a;
@@ -113,20 +115,18 @@ pub(super) struct Stretches {
     pub kappa: [f64; LANES],
 }
 
-/// How far ahead and back the solution of `gap + slope h − κ h²/(1 − a L h) = 0` lies, or the end of (2).
+/// The least `h > 0` with `gap + slope h = κ h²/(1 − L h)`: (3), where `|slope| ≤ β`, or (4).
 #[inline(always)]
-fn solve<V: Lanes>(gap: V, slope: V, kappa: V, l: V, most: V) -> V {
-    let (zero, al) = (V::splat(0.0), V::splat(GROWTH) * l);
-    let b = slope - al * gap;
-    let c = kappa + al * slope;
+fn solve<V: Lanes>(gap: V, slope: V, kappa: V, l: V) -> V {
+    let zero = V::splat(0.0);
+    let (b, c) = (slope - l * gap, kappa + l * slope);
     let root = (b * b + V::splat(4.0) * (gap * c)).sqrt();
     let rising = b.above(zero);
     let numerator = rising.pick(b + root, gap + gap);
     let denominator = rising.pick(c + c, root - b);
-    // No solution ahead: nothing changes up to the end of (2), unless the point itself is in doubt.
-    let endless = gap.above(zero).pick(most, zero);
-    let h = denominator.above(zero).pick(numerator / denominator, endless);
-    most.above(h).pick(h, most)
+    // Nothing bends at level 0, and where |slope| is β but for a rounding c may vanish: then (2) ends the stretch.
+    let endless = gap.above(zero).pick(V::splat(1.0) / l, zero);
+    denominator.above(zero).pick(numerator / denominator, endless)
 }
 
 /// The stretches about four places of a line on which the sign is that of the place itself.
@@ -137,7 +137,6 @@ pub(super) fn stretches<V: Lanes>(set: &Set, start: Start<V>) -> Stretches {
     let alpha = it.n.sqrt();
     let outside = alpha.above(it.threshold);
     let (delta, l) = (it.half_dn / alpha, it.kappa / it.beta);
-    let most = V::splat(MOST) / l;
     let gap = alpha - it.threshold;
     let (mut back, mut ahead);
     let inside = outside.pick(zero, V::splat(1.0));
@@ -146,14 +145,15 @@ pub(super) fn stretches<V: Lanes>(set: &Set, start: Start<V>) -> Stretches {
         let gap = outside.pick(gap, zero - gap);
         let slope = outside.pick(delta, alpha.above(zero).pick(zero - delta, zero));
         let kappa = outside.pick(it.kappa, it.kappa + it.beta * it.beta / (alpha + alpha));
-        back = solve(gap, zero - slope, kappa, l, most);
-        ahead = solve(gap, slope, kappa, l, most);
-        let ball = ball(gap, it.beta, l, most);
-        back = outside.pick(back, ball.above(back).pick(ball, back));
-        ahead = outside.pick(ahead, ball.above(ahead).pick(ball, ahead));
+        back = solve(gap, zero - slope, kappa, l);
+        ahead = solve(gap, slope, kappa, l);
+        let ball = ball(gap, it.beta, l);
+        // Where α vanishes, (4) gives no number, and the ball stands.
+        back = outside.pick(back, back.above(ball).pick(back, ball));
+        ahead = outside.pick(ahead, ahead.above(ball).pick(ahead, ball));
     } else {
-        back = solve(gap, zero - delta, it.kappa, l, most);
-        ahead = solve(gap, delta, it.kappa, l, most);
+        back = solve(gap, zero - delta, it.kappa, l);
+        ahead = solve(gap, delta, it.kappa, l);
     }
     Stretches {
         inside: inside.array().map(|x| x != 0.0),
@@ -166,24 +166,18 @@ pub(super) fn stretches<V: Lanes>(set: &Set, start: Start<V>) -> Stretches {
     }
 }
 
-/// The largest `h` with `β h (1 + x/(1 − a x)) ≤ gap`, by (2).
+/// The largest `h` with `β h/(1 − L h) ≤ gap`, by (2); 0 for no gap.
 #[inline(always)]
-fn ball<V: Lanes>(gap: V, beta: V, l: V, most: V) -> V {
-    let (zero, one) = (V::splat(0.0), V::splat(1.0));
-    let g = gap / beta;
-    // h − (a − 1) L h² = g (1 − a L h).
-    let b = one + V::splat(GROWTH) * (g * l);
-    let root = (b * b - V::splat(4.0 * (GROWTH - 1.0)) * (g * l)).sqrt();
-    let h = (g + g) / (b + root);
-    gap.above(zero).pick(most.above(h).pick(h, most), zero)
+fn ball<V: Lanes>(gap: V, beta: V, l: V) -> V {
+    let zero = V::splat(0.0);
+    gap.above(zero).pick(gap / (beta + l * gap), zero)
 }
 
 /// Radii of balls about four places that hold no point of the solid; 0 inside.
 #[inline(always)]
 pub(super) fn balls<V: Lanes>(set: &Set, start: Start<V>) -> V {
     let it = iterate(set, start);
-    let l = it.kappa / it.beta;
-    ball(it.n.sqrt() - it.threshold, it.beta, l, V::splat(MOST) / l)
+    ball(it.n.sqrt() - it.threshold, it.beta, it.kappa / it.beta)
 }
 
 /// Radius of a ball about a point that holds no point of the surface.
@@ -194,25 +188,22 @@ pub(super) fn free(set: &Set, at: DVec3) -> f64 {
     let it = iterate(set, Start { a, u, p, da: still, du: still, hp: still });
     let gap = it.n.sqrt() - it.threshold;
     let gap = gap.above(still).pick(gap, still - gap);
-    let l = it.kappa / it.beta;
-    ball(gap, it.beta, l, Plain::splat(MOST) / l).array()[0]
+    ball(gap, it.beta, it.kappa / it.beta).array()[0]
 }
 
 impl Stretches {
     /// Does `|q|` certainly fall (or, for `rising`, rise) from point `i` on, all the way to a distance `h`?
     ///
-    /// `½ d|q|²/dh = (A + B h + E)·(B + E')` with `|E| ≤ m − β h`, `|E'| ≤ β (e^{2xy} − 1)`.
+    /// `½ d|q|²/dh = (A + B h + E)·(B + E')`, where by (2) `|A + B h + E| ≤ α + m`, `|E| ≤ m − β h`; and since
+    /// `m'_{n+1} = 2 (α_n + m_n) m'_n`, `|E'| ≤ β (Π (1 + x_n y_n)² − 1) ≤ β (y² − 1)`.
     pub fn is_monotone(&self, i: usize, h: f64) -> bool {
         let (alpha, beta) = (self.alpha[i], self.beta[i]);
         let x = h * self.kappa[i] / beta;
-        let y = 1.0 + x / (1.0 - GROWTH * x);
-        let z = 2.0 * x * y;
-        if !(x < MOST && z < 1.0) {
+        if !(x < 1.0) {
             return false;
         }
-        let grown = z * (1.0 + z); // e^z − 1 and more, for z ≤ 1
-        let moved = beta * h / alpha;
-        let slope = self.delta[i].abs() / beta;
-        slope > moved * y + (1.0 + moved * y) * grown
+        let y = 1.0 / (1.0 - x);
+        let moved = beta * h / alpha * y;
+        self.delta[i].abs() / beta > moved + (1.0 + moved) * (y * y - 1.0)
     }
 }

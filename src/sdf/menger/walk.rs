@@ -127,9 +127,6 @@ impl Line<'_> {
             return ControlFlow::Break(());
         }
         if node.size == 1 {
-            if leave.0 == f64::INFINITY {
-                return ControlFlow::Continue(()); // no number says where the ray leaves
-            }
             return visit(Span {
                 enter: self.crossing(enter, node.first[enter.1], 0),
                 leave: self.crossing(leave, node.first[leave.1] + 1, 1),

@@ -258,7 +258,7 @@ proptest! {
 
 #[test]
 fn a_comb_of_too_many_teeth_is_told_and_a_round_one_is_not() {
-    let tooth = |i: usize| dvec3(i as f64, if i % 2 == 0 { 0.0 } else { 1.0 }, 0.0);
+    let tooth = |i: usize| dvec3(i as f64, if i.is_multiple_of(2) { 0.0 } else { 1.0 }, 0.0);
     let mut comb: Vec<DVec3> = (0..4095).map(tooth).collect();
     comb.push(dvec3(2000.0, -9.0, 0.0));
     let mut cut = Vec::new();

@@ -1,10 +1,4 @@
-//! Colour: linear RGB, its luminance, and the transfer curve of files.
-
-use glam::DVec3;
-
-/// Linear RGB with the Rec. 709 primaries: `x` is red, `y` green, `z` blue. Radiance
-/// [W m⁻² sr⁻¹] per channel, or a reflectance in [0,1].
-pub type Rgb = DVec3;
+//! The transfer curve of files: what is stored for a linear channel.
 
 /// Largest linear value on the straight piece of the sRGB curve, inclusive.
 const LINEAR_KNEE: f64 = 0.0031308;
@@ -56,22 +50,4 @@ pub fn srgb_decode(encoded: f64) -> f64 {
     } else {
         ((encoded + OFFSET) / (1.0 + OFFSET)).powf(EXPONENT)
     }
-}
-
-/// Share of each linear channel in the luminance: the `Y` row of the matrix that follows from the
-/// Rec. 709 primaries and D65 = (0.3127, 0.3290). The standard prints 0.2126, 0.7152, 0.0722.
-pub const LUMINANCE: Rgb = DVec3::new(0.21263900587151036, 0.7151686787677559, 0.07219231536073371);
-
-/// Luminance `Y` of a linear colour, in the unit of its channels: white (1, 1, 1) has 1.
-///
-/// ```text
-/// Y = 0.2126 r + 0.7152 g + 0.0722 b
-/// ```
-///
-/// - Domain: all numbers; negative channels count negatively.
-/// - Accuracy: `num::gamma(4)` relative to `Y(|rgb|)`.
-/// - NaN goes through.
-/// - Source: ITU-R BT.709-6 (2015); weights from the primaries (SMPTE RP 177, 1993).
-pub fn luminance(rgb: Rgb) -> f64 {
-    LUMINANCE.dot(rgb)
 }
