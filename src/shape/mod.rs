@@ -223,12 +223,20 @@ impl<S: Shape + ?Sized> Shape for Arc<S> {
         (**self).bounds()
     }
 
+    fn parts(&self) -> u32 {
+        (**self).parts()
+    }
+
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
         (**self).blocks(ray, t_max)
     }
 
     fn is_costly(&self) -> bool {
         (**self).is_costly()
+    }
+
+    fn lifted(&self, hit: &Hit, n: DVec3) -> DVec3 {
+        (**self).lifted(hit, n)
     }
 
     fn may_block(&self, fan: &Fan) -> bool {
@@ -243,6 +251,10 @@ impl<S: Shape + ?Sized> Shape for Arc<S> {
 impl<S: Solid + ?Sized> Solid for Arc<S> {
     fn spans(&self, ray: &Ray, out: &mut Vec<Span>) {
         (**self).spans(ray, out);
+    }
+
+    fn hull(&self) -> Aabb {
+        (**self).hull()
     }
 
     fn contains(&self, p: DVec3) -> bool {
