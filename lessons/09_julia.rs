@@ -8,17 +8,17 @@
 
 use glam::DVec4;
 use lightbench::kit::figure::short;
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
-use lightbench::measure::{Point, Series, Tally, log_spaced, time_each};
+use lightbench::kit::lesson::{Lesson, Result};
+use lightbench::measure::{Point, Series, log_spaced};
 use lightbench::num::double_double::DoubleDouble;
 use lightbench::ray::Ray;
-use lightbench::sample::{Sampler, uniform_sphere};
+use lightbench::sdf::julia::JuliaMethod;
 use lightbench::sdf::julia::orbit::{estimate, safe_step};
-use lightbench::sdf::julia::{Julia, JuliaMethod};
-use lightbench::shape::Shape;
 
 #[path = "09_julia/charts.rs"]
 mod charts;
+#[path = "09_julia/contest.rs"]
+mod contest;
 #[path = "09_julia/diagrams.rs"]
 mod diagrams;
 #[path = "09_julia/maps.rs"]
@@ -26,6 +26,7 @@ mod maps;
 #[path = "09_julia/stage.rs"]
 mod stage;
 use charts::Way;
+use contest::{FROM, hit, missed, moved, rays, set};
 
 /// The set that is viewed, and the bailout of all sets.
 const VIEWED: DVec4 = DVec4::new(-0.2, 0.6, 0.2, 0.2);
@@ -38,9 +39,6 @@ const PLAIN: u32 = 8;
 const TOLERANCE: std::ops::Range<f64> = 1.0e-8..1.0e-1;
 /// Places a march may look at.
 const MOST: u32 = 2000;
-/// Where rays set out [m from the middle], and how far from the middle they aim.
-const FROM: f64 = 4.0;
-const AIM: f64 = 1.1;
 
 fn main() -> Result {
     let lesson = Lesson::open(9)?;
@@ -80,55 +78,6 @@ fn main() -> Result {
     // 4. What the figures show, checked.
     claims(&lesson, &rays, overshoot.shares);
     lesson.answer(&answer(&far, &near))
-}
-
-/// Rays from a sphere about the set towards places in it and beside it.
-fn rays(seed: u64, count: u32) -> Vec<Ray> {
-    let ray = |i| {
-        let mut sampler = Sampler::new(seed, 9, i);
-        let origin = uniform_sphere(sampler.next_2d()) * FROM;
-        let target = uniform_sphere(sampler.next_2d()) * (AIM * sampler.next_1d().cbrt());
-        Ray::new(origin, (target - origin).normalize())
-    };
-    (0..count).map(ray).collect()
-}
-
-fn set(iterations: u32, method: JuliaMethod) -> Result<Julia> {
-    let julia =
-        Julia::new(VIEWED, iterations, BAILOUT, 0.0).map_err(|e| LessonError::Other(e.to_string()))?;
-    Ok(julia.with_method(method))
-}
-
-fn hit(julia: &Julia, ray: &Ray) -> Option<f64> {
-    julia.nearest(ray, 0.0, f64::INFINITY).map(|crossing| crossing.t)
-}
-
-/// How far the hits of a way after `n` steps lie from those of the endless set, where both are hit; and the time of a ray.
-fn moved(rays: &[Ray], truth: &[Option<f64>], way: Way, n: f64) -> Point {
-    let Ok(julia) = set(n as u32, way.julia_method()) else { return Point::at(n) };
-    let mut tally = Tally::new();
-    for (ray, truth) in rays.iter().zip(truth) {
-        if let (Some(t), Some(truth)) = (hit(&julia, ray), truth) {
-            tally.error(t - truth);
-        }
-    }
-    let some = rays.len().min(256);
-    let time = time_each(some, || rays[..some].iter().filter_map(|ray| hit(&julia, ray)).count());
-    tally.median_at(n).timed(time)
-}
-
-/// How far the hits of a march lie from those of the certified method on the same surface, which it misses, and how often it looks.
-fn missed(rays: &[Ray], truth: &[Option<f64>], way: Way, tolerance: f64) -> Point {
-    let Ok(julia) = set(PLAIN, way.julia_method()) else { return Point::at(tolerance) };
-    let (mut tally, mut looks) = (Tally::new(), 0u64);
-    for (ray, truth) in rays.iter().zip(truth) {
-        let found = julia.walk_by_estimate(ray, |_| looks += 1);
-        match (found, truth) {
-            (Some(t), Some(truth)) => tally.error(t - truth),
-            _ => tally.answer(found, *truth),
-        }
-    }
-    tally.median_at(tolerance).worked(looks as f64 / rays.len() as f64)
 }
 
 fn claims(lesson: &Lesson, rays: &[Ray], shares: [f64; 2]) {

@@ -62,8 +62,9 @@ fn main() -> Result {
     let slopes = [&cylinder, &sphere].map(|sweep| log_slope(&silhouette::tail(&sweep.over_triangles), 1));
     lesson.claim(
         "Twice the triangles: a quarter of the cylinder's error, half of the sphere's.",
-        // Exactly −2 and −1 but for terms of 1/n² from n = 16 on, and caps that take 4 triangles less.
-        (slopes[0].value + 2.0).abs() < 0.05 && (slopes[1].value + 1.0).abs() < 0.1,
+        // Exactly −2 and −1 but for terms of 1/n², and 4 triangles less than 4n, which from n = 16 to 128, the shortest
+        // sweep, make it 2 ln(16/15)/ln 8 = 0.062 flatter at most; a sphere's n² − 2n make it ln(8/7)/ln 16 = 0.048.
+        (slopes[0].value + 2.0).abs() < 0.07 && (slopes[1].value + 1.0).abs() < 0.1,
     );
     let [shared, split] = cracks.leaks;
     lesson.claim(

@@ -440,7 +440,8 @@ const TUNNELS: Member = Member {
 fn the_laws_of_shapes_hold() {
     shapes::crossings_ascend_and_nearest_is_the_first(&TUNNELS);
     shapes::normals_and_tangents_are_unit_and_square(&TUNNELS);
-    shapes::moved_together_nothing_changes(&TUNNELS);
+    // Of ends that the leaves' errors cannot tell apart the nearer counts: γ₁₆ of a size of 4.
+    shapes::moved_together_stays_within(&TUNNELS, 64.0 * U);
     shapes::t_counts_lengths_of_the_direction(&TUNNELS);
     shapes::finite_input_never_makes_nan(&TUNNELS);
     shapes::entering_and_leaving_alternate(&TUNNELS);
