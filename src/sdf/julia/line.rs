@@ -107,7 +107,7 @@ impl Line {
             half_dz = xdx * z + x2 * half_dz;
             y = x * y + set.k_twice;
             x = 0.5 * (x2 - (y2 + z)) + set.c0_twice;
-            z = x2 * z;
+            z *= x2;
         }
         (x * x + (y * y + z), x * dx + (y * dy + half_dz))
     }
