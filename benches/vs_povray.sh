@@ -23,7 +23,7 @@ s1_area_100lights | scenes/d01_radiometric.scene | 512
 s1_point          | benches/povray/s1_point.scene | 2048
 s3_csg            | scenes/p_csg.scene | 2048
 s5_torus          | scenes/p_torus.scene | 2048
-s5_surfaces       | scenes/p_shapes.scene | 2048
+s5_shapes         | scenes/p_shapes.scene | 2048
 s5_julia          | scenes/p_julia.scene | 2048
 '
 
