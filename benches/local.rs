@@ -41,7 +41,7 @@ fn shadow_rays(c: &mut Criterion) {
     for placement in ["grid", "jittered"] {
         let scene = scene(placement);
         for (name, vectors) in [("widest", Vectors::Widest), ("baseline", Vectors::Baseline)] {
-            let local = Local { stage: Stage::Shadowed, vectors };
+            let local = Local { vectors, ..Local::default() };
             let draw = || one_thread.install(|| render(&scene, &local, PICTURE));
             group.throughput(Throughput::Elements(draw().tally.rays(RayKind::Shadow)));
             group.bench_function(BenchmarkId::new(placement, name), |b| b.iter(draw));

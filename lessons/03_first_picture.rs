@@ -16,9 +16,9 @@ use figures::{ERROR, after_the_hit, costs, documents, grid_or_jittered, panels, 
 use lightbench::integrator::{Local, Stage};
 use lightbench::kit::figure::{Axis, Chart};
 use lightbench::kit::lesson::{Lesson, Result};
-use lightbench::light::Placement::{Grid, Jittered};
 use lightbench::measure::{Point, Series, Slope, Z, log_slope, quantised};
 use lightbench::render::{Picture, render};
+use lightbench::sample::Pattern::{Centres, Jittered};
 
 const POINT: &str = include_str!("../scenes/d01_point_light.scene");
 const D_SECONDS: [f64; 2] = [0.1981, 0.5203]; // point light, 10 × 10 points; 512 × 512 pixels, GTX 560 [D §6]
@@ -37,10 +37,10 @@ const SIZES: [(&str, f64); 9] = [
     ("10¹³", 1.0e13),
 ];
 const WAYS: [Way; 5] = [
-    Way("visibility only", Stage::Visibility, 1, Grid),
-    Way("Lambert + ambient", Stage::Unshadowed, 1, Grid),
-    Way("hard shadows, 1 point", Stage::Shadowed, 1, Grid),
-    Way("soft shadows, 10 × 10 grid", Stage::Shadowed, 10, Grid),
+    Way("visibility only", Stage::Visibility, 1, Centres),
+    Way("Lambert + ambient", Stage::Unshadowed, 1, Centres),
+    Way("hard shadows, 1 point", Stage::Shadowed, 1, Centres),
+    Way("soft shadows, 10 × 10 grid", Stage::Shadowed, 10, Centres),
     Way("soft shadows, 10 × 10 jittered", Stage::Shadowed, 10, Jittered),
 ];
 
@@ -55,16 +55,16 @@ fn main() -> Result {
     let small = Picture { width: side, height: side + 1, samples: 1, ..shown };
 
     // 1. The truth: soft shadows of 71 × 71 light points, on a picture and on a line; the room in its own size.
-    let truth = shoot(&soft(TRUTH, Grid), small)?;
-    let exact = wall(&soft(TRUTH, Grid), shown.seed)?;
+    let truth = shoot(&soft(TRUTH, Centres), small)?;
+    let exact = wall(&soft(TRUTH, Centres), shown.seed)?;
     let room_truth = render(&room(POINT)?, &Local::default(), small).image;
 
     // 2. The contestants: five stages, two ways to place light points, two ways to leave a surface.
     let stages = measured(&WAYS, small, &truth)?;
-    let ways: Vec<Way> = [Grid, Jittered].iter().flat_map(|p| SIDES.map(|n| soft(n, *p))).collect();
+    let ways: Vec<Way> = [Centres, Jittered].iter().flat_map(|p| SIDES.map(|n| soft(n, *p))).collect();
     let points: Vec<Point> = measured(&ways, small, &truth)?.into_iter().map(|m| m.0).collect();
     let sweeps = [0, SIDES.len()].map(|i| Series::new(points[i..i + SIDES.len()].to_vec()));
-    let lines = [wall(&soft(5, Grid), shown.seed)?, wall(&soft(5, Jittered), shown.seed)?];
+    let lines = [wall(&soft(5, Centres), shown.seed)?, wall(&soft(5, Jittered), shown.seed)?];
     let errors = lines.map(|l| l.iter().zip(&exact).map(|(a, b)| (a.0, a.1 - b.1)).collect::<Line>());
     let changes = SIZES.map(|(_, size)| changes(size, small, &room_truth));
     let changes = changes.into_iter().collect::<Result<Vec<_>>>()?;

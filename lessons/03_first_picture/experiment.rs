@@ -8,27 +8,28 @@ use lightbench::film::Image;
 use lightbench::film::metric::compare;
 use lightbench::integrator::{Integrator, Local, Stage};
 use lightbench::kit::lesson::{LessonError, Result};
-use lightbench::light::{Light, Placement};
+use lightbench::light::Light;
 use lightbench::measure::{Point, Tally, quantised, timed};
 use lightbench::ray::{Ray, Silent, Trace};
 use lightbench::render::{Picture, render};
-use lightbench::sample::Sampler;
+use lightbench::sample::{Pattern, Sampler};
 use lightbench::scene::{Camera, FieldOfView, Scene};
 use lightbench::scene_file::{Color, read};
+use std::f64::consts::FRAC_1_PI;
 use std::fmt::Display;
 
 pub const AREA: &str = include_str!("../../scenes/d01_boxes_spheres.scene");
 pub const AMBIENT: f64 = 0.05; // W/(m² sr), in every picture but D's own
 pub const BIAS: f64 = 1.0e-4; // m
 /// A stage: its name, how far it goes, and n of its n × n light points.
-pub struct Way(pub &'static str, pub Stage, pub u32, pub Placement);
+pub struct Way(pub &'static str, pub Stage, pub u32, pub Pattern);
 /// What a picture took and how far it is off; shape tests a pixel.
 pub type Measured = (Point, f64);
 /// Radiance at places on a line.
 pub type Line = Vec<(f64, f64)>;
 
-pub fn soft(n: u32, placement: Placement) -> Way {
-    Way("", Stage::Shadowed, n, placement)
+pub fn soft(n: u32, pattern: Pattern) -> Way {
+    Way("", Stage::Shadowed, n, pattern)
 }
 
 pub fn room(text: &str) -> Result<Scene> {
@@ -140,7 +141,8 @@ impl Integrator for NaiveBias {
             return Rgb::ZERO;
         }
         scene.materials[scene.objects[object].material(hit.part)].diffuse
-            * light.power
+            * light.strength
+            * FRAC_1_PI
             * (hit.ng.dot(to) / to.length()).max(0.0)
     }
 }

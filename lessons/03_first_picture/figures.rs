@@ -10,7 +10,7 @@ use lightbench::kit::figure::{
     self, Axis, Chart, Diagram, ErrorPanel, Figure, Guide, Panels, Pixels, Shades, Table,
 };
 use lightbench::kit::lesson::{Lesson, Result};
-use lightbench::light::Placement::Grid;
+use lightbench::sample::Pattern::Centres;
 use lightbench::measure::{Method, Point, Series};
 use lightbench::ray::Ray;
 use lightbench::render::{Picture, render};
@@ -96,7 +96,7 @@ pub fn documents(lesson: &Lesson, picture: Picture) -> Result {
 }
 
 pub fn panels(picture: Picture) -> Result<Figure> {
-    let truth = shoot(&soft(31, Grid), picture)?;
+    let truth = shoot(&soft(31, Centres), picture)?;
     let mut panels = Panels::new().columns(3);
     for way in &WAYS[..4] {
         panels = panels.picture(Pixels::from(&shoot(way, picture)?), way.0);

@@ -8,9 +8,10 @@ use lightbench::kit::figure::{
     Axis, Bars, Chart, Diagram, FailureMap, Figure, Guide, Light as Pen, Panels, Pixels, Table, short,
 };
 use lightbench::kit::lesson::{Lesson, LessonError, Result};
-use lightbench::light::{AreaLight, Falloff, Light, Placement};
+use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::measure::{Method, Spread};
 use lightbench::render::{Picture, render};
+use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::instance::Instance;
@@ -261,8 +262,8 @@ fn scene(method: TorusMethod, distance: f64) -> Result<Scene> {
         scene.objects.push(Object::new(name, Box::new(ring), material));
     }
     let (place, size) = (dvec3(-6.0, 12.0, 7.0), dvec2(3.2, 3.2));
-    let lamp = AreaLight::new(place, target - place, 0.0, size, DVec3::splat(0.95), Falloff::None);
-    scene.lights.push(Light::Area(lamp.map_err(|e| wrong(&e))?.subdivided(3, 3, Placement::Jittered)));
+    let lamp = AreaLight::rectangle(place, target - place, 0.0, size, Emission::even(DVec3::splat(0.95)));
+    scene.lights.push(Light::Area(lamp.map_err(|e| wrong(&e))?.subdivided(3, 3, Pattern::Jittered)));
     scene.background = dvec3(0.80, 0.86, 0.92);
     scene.ambient = DVec3::splat(0.16);
     Ok(scene)

@@ -5,8 +5,9 @@ use lightbench::bounds::Aabb;
 use lightbench::color::srgb_encode;
 use lightbench::integrator::Local;
 use lightbench::kit::figure::{Figure, Panels, Pixels};
-use lightbench::light::{AreaLight, Falloff, Light, Placement};
+use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::render::{Picture, render};
+use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::quadric::{ClippedQuadric, Quadric};
@@ -77,8 +78,8 @@ fn scene(shape: ClippedQuadric, colour: DVec3) -> Scene {
     scene.objects =
         vec![Object::new("floor", Box::new(floor), 0), Object::new("quadric", Box::new(shape), 1)].into();
     let (at, size): (DVec3, DVec2) = (dvec3(2.6, -3.6, 5.6), dvec2(1.6, 1.6));
-    let lamp = AreaLight::new(at, -at, 0.0, size, DVec3::splat(0.86), Falloff::None).expect("a lamp");
-    scene.lights = vec![Light::Area(lamp.subdivided(2, 2, Placement::Jittered))];
+    let lamp = AreaLight::rectangle(at, -at, 0.0, size, Emission::even(DVec3::splat(0.86))).expect("a lamp");
+    scene.lights = vec![Light::Area(lamp.subdivided(2, 2, Pattern::Jittered))];
     scene.ambient = DVec3::splat(0.24);
     scene.background = DVec3::splat(0.93);
     scene

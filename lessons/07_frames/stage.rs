@@ -6,8 +6,9 @@ use lightbench::film::Image;
 use lightbench::frame::unit;
 use lightbench::integrator::Local;
 use lightbench::kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades};
-use lightbench::light::{AreaLight, Falloff, Light, Placement};
+use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::render::{Picture, render};
+use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::Shape;
 use lightbench::shape::cone::Cone;
@@ -112,16 +113,15 @@ fn gathering() -> Scene {
         scene.objects.push(Object::new(format!("surface {i}"), shape, 1 + i % colours.len()));
     }
     let at = dvec3(-5.0, 9.0, 6.0);
-    let lamp = AreaLight::new(
+    let lamp = AreaLight::rectangle(
         at,
         dvec3(0.0, 0.5, 0.0) - at,
         0.0,
         dvec2(2.6, 2.6),
-        DVec3::splat(0.86),
-        Falloff::None,
+        Emission::even(DVec3::splat(0.86)),
     )
     .expect("a lamp");
-    scene.lights = vec![Light::Area(lamp.subdivided(2, 2, Placement::Jittered))];
+    scene.lights = vec![Light::Area(lamp.subdivided(2, 2, Pattern::Jittered))];
     scene.ambient = DVec3::splat(0.22);
     scene.background = DVec3::splat(0.9);
     scene

@@ -6,10 +6,11 @@ use glam::{DVec3, dvec3};
 use lightbench::integrator::Local;
 use lightbench::kit::figure::{Axis, Chart, Figure, grouped};
 use lightbench::kit::lesson::{Lesson, LessonError, Result};
-use lightbench::light::{AreaLight, Falloff, Light, Placement, PointLight};
+use lightbench::light::{AreaLight, Emission, Light, PointLight};
 use lightbench::measure::{Failures, Method, Point, Series, Spread, time_each};
 use lightbench::ray::Ray;
 use lightbench::render::{Picture, render};
+use lightbench::sample::Pattern;
 use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::sdf::{DistanceField, FieldShape, Menger, Stride};
@@ -136,8 +137,7 @@ fn journey() -> Result<Scene> {
     scene.materials = vec![paint("stone", dvec3(0.80, 0.72, 0.62))];
     let sponge = Menger::new(DVec3::ZERO, 2.0, 5).map_err(|e| wrong(&e))?;
     scene.objects.push(Object::new("sponge", Box::new(sponge), 0));
-    let lamp =
-        |position, power| Light::Point(PointLight { position, power, falloff: Falloff::InverseSquare });
+    let lamp = |position, power| Light::Point(PointLight::of_intensity(position, power));
     scene.lights = vec![
         lamp(dvec3(0.14, 0.16, 0.02), dvec3(1.0, 0.62, 0.28) * 0.75),
         lamp(dvec3(-0.2, 0.22, 1.0), dvec3(0.75, 0.85, 1.0) * 0.55),
@@ -160,8 +160,9 @@ fn on_the_floor() -> Result<Scene> {
     scene.objects.push(Object::new("sponge", Box::new(sponge), 1));
     let place = dvec3(2.4, 5.2, 4.8);
     let size = glam::DVec2::splat(2.0);
-    let lamp = AreaLight::new(place, DVec3::Y * 0.8 - place, 0.0, size, dvec3(0.9, 0.87, 0.8), Falloff::None);
-    scene.lights.push(Light::Area(lamp.map_err(|e| wrong(&e))?.subdivided(4, 4, Placement::Jittered)));
+    let lamp =
+        AreaLight::rectangle(place, DVec3::Y * 0.8 - place, 0.0, size, Emission::even(dvec3(0.9, 0.87, 0.8)));
+    scene.lights.push(Light::Area(lamp.map_err(|e| wrong(&e))?.subdivided(4, 4, Pattern::Jittered)));
     scene.background = dvec3(0.72, 0.80, 0.90);
     scene.ambient = dvec3(0.16, 0.17, 0.20);
     Ok(scene)

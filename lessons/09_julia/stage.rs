@@ -5,8 +5,9 @@ use glam::{DAffine3, DVec3, DVec4, dvec2, dvec3};
 use lightbench::integrator::Local;
 use lightbench::kit::figure::{Figure, Panels, Pixels};
 use lightbench::kit::lesson::{Lesson, LessonError, Result};
-use lightbench::light::{AreaLight, Falloff, Light, Placement};
+use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::render::{Picture, render};
+use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::sdf::julia::Julia;
 use lightbench::shape::cuboid::Cuboid;
@@ -48,8 +49,8 @@ fn scene(model: &Model) -> Result<Scene> {
     scene.objects.push(Object::new("set", Box::new(set), 1));
     let place = dvec3(4.6, 7.0, 3.6);
     let size = dvec2(3.0, 3.0);
-    let lamp = AreaLight::new(place, target - place, 0.0, size, DVec3::splat(0.95), Falloff::None);
-    scene.lights.push(Light::Area(lamp.map_err(|e| wrong(&e))?.subdivided(3, 3, Placement::Jittered)));
+    let lamp = AreaLight::rectangle(place, target - place, 0.0, size, Emission::even(DVec3::splat(0.95)));
+    scene.lights.push(Light::Area(lamp.map_err(|e| wrong(&e))?.subdivided(3, 3, Pattern::Jittered)));
     scene.background = dvec3(0.80, 0.86, 0.92);
     scene.ambient = DVec3::splat(0.16);
     Ok(scene)

@@ -4,9 +4,10 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 use lightbench::csg::{Csg, Operation, Tree};
 use lightbench::integrator::Local;
 use lightbench::kit::figure::Pixels;
-use lightbench::light::{AreaLight, Falloff, Light, Placement};
+use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::ray::Ray;
 use lightbench::render::{Picture, render};
+use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::Shape;
 use lightbench::shape::cuboid::Cuboid;
@@ -92,8 +93,9 @@ pub fn portrait(shape: Box<dyn Shape>, materials: &[DVec3], size: usize, samples
     ]
     .into();
     let (at, size_of_lamp): (DVec3, DVec2) = (dvec3(1.5, 8.0, 6.5), dvec2(2.4, 2.4));
-    let lamp = AreaLight::new(at, -at, 0.0, size_of_lamp, DVec3::splat(0.80), Falloff::None).expect("a lamp");
-    scene.lights = vec![Light::Area(lamp.subdivided(3, 3, Placement::Jittered))];
+    let lamp =
+        AreaLight::rectangle(at, -at, 0.0, size_of_lamp, Emission::even(DVec3::splat(0.80))).expect("a lamp");
+    scene.lights = vec![Light::Area(lamp.subdivided(3, 3, Pattern::Jittered))];
     scene.ambient = DVec3::splat(0.27);
     scene.background = DVec3::splat(0.93);
     let picture = Picture { width: size, height: size, samples, seed: 0 };

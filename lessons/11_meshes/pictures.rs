@@ -5,9 +5,10 @@ use lightbench::film::Image;
 use lightbench::integrator::Local;
 use lightbench::kit::figure::{Figure, Panels, Pixels, grouped};
 use lightbench::kit::lesson::{Lesson, LessonError, Result};
-use lightbench::light::{AreaLight, Falloff, Light, Placement};
+use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::mesh::{Mesh, Polygons, tessellate};
 use lightbench::render::{Picture, render};
+use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::Shape;
 use lightbench::shape::cylinder::Cylinder;
@@ -34,15 +35,14 @@ fn scene(shape: Box<dyn Shape>, color: DVec3, target: DVec3, eye: DVec3, height:
     scene.objects.push(Object::new("floor", Box::new(floor), 0));
     scene.objects.push(Object::new("thing", shape, 1));
     let place = target + (eye - target).length() * dvec3(-0.75, 1.1, 0.45);
-    let lamp = AreaLight::new(
+    let lamp = AreaLight::rectangle(
         place,
         target - place,
         0.0,
         DVec2::splat(0.5 * height),
-        DVec3::splat(0.95),
-        Falloff::None,
+        Emission::even(DVec3::splat(0.95)),
     );
-    scene.lights.push(Light::Area(lamp.map_err(wrong)?.subdivided(3, 3, Placement::Jittered)));
+    scene.lights.push(Light::Area(lamp.map_err(wrong)?.subdivided(3, 3, Pattern::Jittered)));
     scene.background = PAPER;
     scene.ambient = DVec3::splat(0.22);
     Ok(scene)

@@ -8,10 +8,11 @@ use lightbench::integrator::Local;
 use lightbench::kit::figure::colormap::viridis;
 use lightbench::kit::figure::{Figure, Panels, Pixels};
 use lightbench::kit::lesson::{Lesson, Result};
-use lightbench::light::{AreaLight, Falloff, Light, Placement};
+use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::mesh::{Mesh, tessellate::bumpy_knot};
 use lightbench::ray::{Ray, Tally};
 use lightbench::render::{Picture, render};
+use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::Shape;
 use lightbench::shape::cuboid::Cuboid;
@@ -47,16 +48,15 @@ fn scene(size: (u32, u32)) -> Option<Scene> {
         let shape: Box<dyn Shape> = Box::new(Instance::new(Box::new(mesh.clone()), map).ok()?);
         scene.objects.push(Object::new("knot", shape, 3));
     }
-    let lamp = AreaLight::new(
+    let lamp = AreaLight::rectangle(
         dvec3(0.0, 3.45, 0.5),
         DVec3::NEG_Y,
         0.0,
         dvec2(2.4, 2.4),
-        DVec3::splat(0.9),
-        Falloff::None,
+        Emission::even(DVec3::splat(0.9)),
     )
     .ok()?;
-    scene.lights = vec![Light::Area(lamp.subdivided(4, 4, Placement::Jittered))];
+    scene.lights = vec![Light::Area(lamp.subdivided(4, 4, Pattern::Jittered))];
     scene.ambient = DVec3::splat(0.26);
     Some(scene)
 }

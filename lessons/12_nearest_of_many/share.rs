@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3, dvec3};
 use lightbench::color::Rgb;
 use lightbench::integrator::{Integrator, Local};
 use lightbench::kit::figure::{Figure, Table, grouped};
-use lightbench::light::{Falloff, Light, PointLight};
+use lightbench::light::{Light, PointLight};
 use lightbench::measure::timed;
 use lightbench::mesh::{Mesh, tessellate::bumpy_knot};
 use lightbench::ray::{Ray, RayKind, Silent, Trace};
@@ -39,7 +39,7 @@ fn stage() -> Scene {
     scene.materials.push(Material::default());
     let floor = Plane::new(dvec3(0.0, -3.0, 0.0), DVec3::Y).expect("a floor");
     scene.objects.push(Object::new("floor", Box::new(floor), 0));
-    let lamp = PointLight { position: dvec3(6.0, 9.0, 8.0), power: DVec3::ONE, falloff: Falloff::None };
+    let lamp = PointLight::of_color(dvec3(6.0, 9.0, 8.0), DVec3::ONE);
     scene.lights.push(Light::Point(lamp));
     scene
 }

@@ -13,8 +13,9 @@ use lightbench::kit::figure::drawing::{Anchor, Drawing, Face, Rect, Stroke, Text
 use lightbench::kit::figure::heading::Heading;
 use lightbench::kit::figure::ink::Ink;
 use lightbench::kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades};
-use lightbench::light::{AreaLight, Falloff, Light, Placement};
+use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::render::{Picture, render};
+use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::sphere::Sphere;
@@ -121,8 +122,9 @@ fn fruit(lamp: Rgb) -> Scene {
     scene.objects =
         vec![Object::new("floor", Box::new(floor), 0), Object::new("orange", Box::new(ball), 1)].into();
     let at = dvec3(-2.6, 4.6, 3.0);
-    let light = AreaLight::new(at, -at, 0.0, dvec2(1.4, 1.4), lamp * 0.98, Falloff::None).expect("a lamp");
-    scene.lights = vec![Light::Area(light.subdivided(4, 4, Placement::Jittered))];
+    let light =
+        AreaLight::rectangle(at, -at, 0.0, dvec2(1.4, 1.4), Emission::even(lamp * 0.98)).expect("a lamp");
+    scene.lights = vec![Light::Area(light.subdivided(4, 4, Pattern::Jittered))];
     scene.ambient = lamp * 0.14;
     scene.background = lamp * 0.55 + 0.08;
     scene

@@ -18,6 +18,9 @@ pub enum BlinnScale {
     Eighth,
     /// Nothing.
     Raw,
+    /// `1/cos θᵢ`: the shading formula of 1977, which has no cosine [C (28)], read as a BRDF. Not reciprocal, and without
+    /// bound towards grazing light.
+    OverCosine,
 }
 
 /// The lobe `f = C (n·h)ⁿ`.
@@ -51,7 +54,7 @@ impl Blinn {
         match self.scale {
             BlinnScale::Exact => (n + 2.0) / (8.0 * PI) * ((n + 4.0) / ((-0.5 * n).exp2() + n)),
             BlinnScale::Eighth => (n + 8.0) / (8.0 * PI),
-            BlinnScale::Raw => 1.0,
+            BlinnScale::Raw | BlinnScale::OverCosine => 1.0,
         }
     }
     /// `(n·h)ⁿ`; 0⁰ is 1.
@@ -64,7 +67,8 @@ impl Blinn {
 impl Brdf for Blinn {
     #[inline]
     fn value<G: Geometry>(&self, g: &G) -> f64 {
-        self.factor() * self.power(&g.half())
+        let f = self.factor() * self.power(&g.half());
+        if self.scale == BlinnScale::OverCosine { f / g.cos_i() } else { f }
     }
     #[inline]
     fn sample(&self, wo: DVec3, u: DVec2) -> Option<Sampled> {
@@ -74,7 +78,8 @@ impl Brdf for Blinn {
         if !(cos_d > 0.0) || !above(wi, wo) {
             return None;
         }
-        let weight = self.factor() * TAU / (self.exponent + 1.0) * 4.0 * cos_d * wi.z;
+        let cos_i = if self.scale == BlinnScale::OverCosine { 1.0 } else { wi.z };
+        let weight = self.factor() * TAU / (self.exponent + 1.0) * 4.0 * cos_d * cos_i;
         Some(Sampled { wi, weight, pdf: self.pdf(wi, wo) })
     }
     #[inline]
@@ -93,15 +98,22 @@ impl Brdf for Blinn {
         }
         let over = |q: f64| {
             let log_cos = (-q).ln_1p() / (n + 1.0);
-            azimuths(log_cos.exp(), (-(2.0 * log_cos).exp_m1()).max(0.0).sqrt(), co, so)
+            let [power, without_cosine] =
+                azimuths(log_cos.exp(), (-(2.0 * log_cos).exp_m1()).max(0.0).sqrt(), co, so);
+            if self.scale == BlinnScale::OverCosine { without_cosine } else { power }
         };
         // Half vectors at (90° − θₒ)/2 first reflect into the horizon, those at (90° + θₒ)/2 all do.
         let at = |cos2_h: f64| (-(0.5 * (n + 1.0) * cos2_h.ln()).exp_m1()).clamp(0.0, 1.0);
         let breaks = [0.0, at(0.5 * (1.0 + so)), at(0.5 * co * co / (1.0 + so)), 1.0];
         integrate(over, &breaks, ALBEDO_TOLERANCE).times(self.factor() / (n + 1.0))
     }
+    fn is_reciprocal(&self) -> bool {
+        self.scale != BlinnScale::OverCosine
+    }
     fn conserves_energy(&self) -> bool {
         match self.scale {
+            // 8π (1 − 2^(−n/2 − 1))/(n + 2) comes back at normal incidence, less elsewhere.
+            BlinnScale::OverCosine => self.exponent >= 8.0 * PI - 2.0,
             BlinnScale::Exact => true,
             BlinnScale::Eighth => false,
             // The exact scale is then the larger one.
@@ -110,14 +122,15 @@ impl Brdf for Blinn {
     }
 }
 
-/// `∫ 4 cos d (2 cos d cos θₕ − cos θₒ)⁺ dφ`, with `cos d = A + B cos φ` above `K = cos θₒ / (2 cos θₕ)`.
-fn azimuths(ch: f64, sh: f64, co: f64, so: f64) -> f64 {
+/// `∫ 4 cos d cos θᵢ dφ` and `∫ 4 cos d dφ` over the azimuths with `cos θᵢ = 2 cos d cos θₕ − cos θₒ > 0`, that is, with
+/// `cos d = A + B cos φ` above `K = cos θₒ / (2 cos θₕ)`.
+fn azimuths(ch: f64, sh: f64, co: f64, so: f64) -> [f64; 2] {
     if ch == 0.0 {
-        return 0.0;
+        return [0.0; 2];
     }
     let (a, b, k) = (co * ch, so * sh, 0.5 * co / ch);
     let edge = match k - a {
-        gap if gap >= b => return 0.0,
+        gap if gap >= b => return [0.0; 2],
         gap if gap <= -b => PI,
         gap => (gap / b).acos(),
     };
@@ -125,5 +138,5 @@ fn azimuths(ch: f64, sh: f64, co: f64, so: f64) -> f64 {
     // ∫₀^edge of cos d and cos²d
     let first = a * edge + b * sin;
     let second = a * a * edge + 2.0 * a * b * sin + 0.5 * b * b * (edge + sin * cos);
-    (8.0 * (2.0 * ch * second - co * first)).max(0.0)
+    [8.0 * (2.0 * ch * second - co * first), 8.0 * first].map(|integral| integral.max(0.0))
 }

@@ -75,16 +75,27 @@ impl Lobes {
         for channel in specular.to_array() {
             super::reflectance("specular", channel)?;
         }
-        let facets = |f0| {
-            let fresnel = Fresnel::Schlick { f0 };
-            CookTorrance::new(roughness, Distribution::Beckmann, Shadowing::VCavity, fresnel)
-        };
         let matt = OrenNayar::new(1.0, roughness, OrenNayarForm::Qualitative)?;
-        let mut parts = vec![(diffuse, matt.into())];
-        if specular != Rgb::ZERO {
-            parts.extend([(specular, facets(1.0)?.into()), (Rgb::ONE - specular, facets(0.0)?.into())]);
+        let facets = |fresnel| {
+            CookTorrance::new(roughness, Distribution::Beckmann, Shadowing::VCavity, fresnel).map(Model::from)
+        };
+        Lobes::new([(diffuse, matt.into())].into_iter().chain(Lobes::schlick(specular, facets)?))
+    }
+
+    /// The two lobes of a metal with the coloured reflectance `f0` at normal incidence, made by `facets` of their Fresnel
+    /// law; none for black.
+    ///
+    /// - Errors: those of `facets`.
+    pub fn schlick(
+        f0: Rgb,
+        facets: impl Fn(Fresnel) -> Result<Model, ParameterError>,
+    ) -> Result<ArrayVec<(Rgb, Model), 2>, ParameterError> {
+        let mut parts = ArrayVec::new();
+        if f0 != Rgb::ZERO {
+            parts.push((f0, facets(Fresnel::Schlick { f0: 1.0 })?));
+            parts.push((Rgb::ONE - f0, facets(Fresnel::Schlick { f0: 0.0 })?));
         }
-        Lobes::new(parts)
+        Ok(parts)
     }
 
     /// `f` [sr⁻¹] per channel.

@@ -92,6 +92,12 @@ impl Cells {
         }
     }
 
+    /// All cells in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Cell> + use<> {
+        let cells = *self;
+        (0..cells.n as usize).map(move |i| cells.cell(i as u32))
+    }
+
     /// A random point of the `i`-th cell.
     ///
     /// # Panics

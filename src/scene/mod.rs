@@ -11,6 +11,7 @@ pub use camera::{
 
 pub use objects::{Object, Objects};
 
+use crate::bsdf::Lobes;
 use crate::color::Rgb;
 use crate::light::Light;
 use crate::ray::{Crossing, Hit, Ray, Trace};
@@ -20,7 +21,7 @@ use crate::shape::fan::Fan;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     pub name: String,
-    /// Share of the light that a matt surface sends back, per channel.
+    /// Share of the light that a matt surface sends back, per channel; of ambient light, any surface.
     pub diffuse: Rgb,
     pub specular: Rgb,
     /// Radiance the surface sends out by itself.
@@ -35,6 +36,8 @@ pub struct Material {
     pub reflection_angle: f64,
     /// Share of `specular` that is mirrored.
     pub reflection_amount: f64,
+    /// How the light of lamps is reflected; without a model by Lambert's law, with reflectance `diffuse`.
+    pub model: Option<Lobes>,
 }
 
 impl Default for Material {
@@ -49,6 +52,7 @@ impl Default for Material {
             ior: 1.0,
             reflection_angle: 0.0,
             reflection_amount: 0.0,
+            model: None,
         }
     }
 }
@@ -71,8 +75,8 @@ pub struct Scene {
 pub enum Met {
     /// An object, by its index.
     Object(usize, Crossing),
-    /// A shining rectangle, by the light's index.
-    Light(usize, f64),
+    /// An area light, by its index, and the radiance that it shows.
+    Light(usize, Rgb),
 }
 
 impl Scene {
@@ -99,15 +103,16 @@ impl Scene {
     pub fn first_met<T: Trace>(&self, ray: &Ray, trace: &mut T) -> Option<Met> {
         let object = self.nearest(ray, f64::INFINITY, trace);
         let t_object = object.map_or(f64::INFINITY, |(_, c)| c.t);
-        let shining = |(i, light): (usize, &Light)| match light {
-            Light::Area(area) if area.radiance_towards(ray.direction).is_some() => {
-                Some((i, area.crossing(ray)?))
+        let mut nearest: Option<(f64, Met)> = None;
+        for (i, light) in self.lights.iter().enumerate() {
+            let Light::Area(area) = light else { continue };
+            let Some((t, radiance)) = area.met(ray) else { continue };
+            if t < nearest.as_ref().map_or(t_object, |(t, _)| *t) {
+                nearest = Some((t, Met::Light(i, radiance)));
             }
-            _ => None,
-        };
-        let lights = self.lights.iter().enumerate().filter_map(shining).filter(|(_, t)| *t < t_object);
-        match lights.min_by(|a, b| a.1.total_cmp(&b.1)) {
-            Some((i, t)) => Some(Met::Light(i, t)),
+        }
+        match nearest {
+            Some((_, light)) => Some(light),
             None => object.map(|(i, crossing)| Met::Object(i, crossing)),
         }
     }

@@ -90,7 +90,7 @@ impl SceneFile {
     /// Most rays that local illumination shoots for one pixel: each sample one from the camera, and from
     /// what it meets one to each point light and to each cell of each area light.
     pub fn rays_per_pixel(&self) -> u64 {
-        let shadow: u64 = self.scene.lights.iter().map(build::shadow_rays).sum();
+        let shadow: u64 = self.scene.lights.iter().map(|light| u64::from(light.rays())).sum();
         u64::from(self.settings.samples) * (1 + shadow)
     }
 }

@@ -21,8 +21,8 @@ fn mirrors(m: &Material, s: &Settings) -> bool {
 }
 
 const PENDING: &[Pending] = &[
-    Pending { param: "SpecularColor", asks: |m, _| m.specular != Rgb::ZERO },
-    Pending { param: "Roughness", asks: |m, _| m.roughness > 0.0 },
+    Pending { param: "SpecularColor", asks: |m, _| m.model.is_none() && m.specular != Rgb::ZERO },
+    Pending { param: "Roughness", asks: |m, _| m.model.is_none() && m.roughness > 0.0 },
     Pending { param: "Opacity", asks: |m, _| m.opacity < 1.0 },
     Pending { param: "RefractionIndex", asks: |m, _| m.opacity < 1.0 && m.ior != 1.0 },
     Pending { param: "ReflectionAmount", asks: mirrors },

@@ -3,10 +3,11 @@
 use glam::{DVec2, DVec3};
 use lightbench::color::Rgb;
 use lightbench::integrator::{Local, Stage};
-use lightbench::light::{AreaLight, Falloff, Light, Placement, PointLight};
+use lightbench::light::{AreaLight, Emission, Light, PointLight};
 use lightbench::num::gamma;
 use lightbench::ray::{Ray, RayKind};
 use lightbench::render::{Control, Picture, RenderError, render, render_with, replay};
+use lightbench::sample::{Cells, Pattern};
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::fan::{Ends, Fan, Vectors};
@@ -18,7 +19,7 @@ use std::sync::atomic::AtomicBool;
 
 const PICTURE: Picture = Picture { width: 45, height: 37, samples: 2, seed: 7 };
 
-fn room(placement: Placement) -> Scene {
+fn room(pattern: Pattern) -> Scene {
     let camera = Camera::new(
         DVec3::new(0.0, 5.0, 15.0),
         DVec3::new(0.0, 5.0, 0.0),
@@ -37,20 +38,17 @@ fn room(placement: Placement) -> Scene {
         scene.objects.push(Object::new("wall", Box::new(wall), 0));
     }
     let (center, size) = (DVec3::new(3.0, 5.0, 8.0), DVec2::splat(2.0));
-    let light = AreaLight::new(center, DVec3::NEG_Z, 0.3, size, Rgb::ONE, Falloff::None).expect("a light");
-    scene.lights.push(Light::Area(light.subdivided(5, 5, placement)));
+    let light =
+        AreaLight::rectangle(center, DVec3::NEG_Z, 0.3, size, Emission::even(Rgb::ONE)).expect("a light");
+    scene.lights.push(Light::Area(light.subdivided(5, 5, pattern)));
     let position = DVec3::new(-3.0, 8.0, 4.0);
-    scene.lights.push(Light::Point(PointLight {
-        position,
-        power: Rgb::splat(20.0),
-        falloff: Falloff::InverseSquare,
-    }));
+    scene.lights.push(PointLight::of_intensity(position, Rgb::splat(20.0)).into());
     scene
 }
 
 #[test]
 fn every_number_of_threads_gives_the_same_bytes() {
-    let scene = room(Placement::Jittered);
+    let scene = room(Pattern::Jittered);
     let picture = |threads| {
         let control = Control { threads, stop: &AtomicBool::new(false), progress: &|_| {} };
         render_with(&scene, &Local::default(), PICTURE, control).expect("a picture")
@@ -64,14 +62,14 @@ fn every_number_of_threads_gives_the_same_bytes() {
 
 #[test]
 fn wide_and_narrow_vectors_give_the_same_bits() {
-    let scene = room(Placement::Grid);
+    let scene = room(Pattern::Centres);
     let picture = |vectors| render(&scene, &Local { vectors, ..Local::default() }, PICTURE).image;
     assert_eq!(picture(Vectors::Widest), picture(Vectors::Baseline));
 }
 
 #[test]
 fn another_seed_gives_other_bytes() {
-    let scene = room(Placement::Jittered);
+    let scene = room(Pattern::Jittered);
     let picture = |seed| render(&scene, &Local::default(), Picture { seed, ..PICTURE }).image;
     assert_ne!(picture(7), picture(8));
 }
@@ -79,14 +77,14 @@ fn another_seed_gives_other_bytes() {
 #[test]
 fn an_interrupted_picture_is_no_picture() {
     let control = Control { threads: 2, stop: &AtomicBool::new(true), progress: &|_| {} };
-    let done = render_with(&room(Placement::Grid), &Local::default(), PICTURE, control);
+    let done = render_with(&room(Pattern::Centres), &Local::default(), PICTURE, control);
     assert_eq!(done.err(), Some(RenderError::Interrupted));
 }
 
 /// The tree that a replay tells adds up to the pixel it tells about.
 #[test]
 fn a_replay_is_the_pixel() {
-    let scene = room(Placement::Jittered);
+    let scene = room(Pattern::Jittered);
     let image = render(&scene, &Local::default(), PICTURE).image;
     for at in [(0, 0), (22, 20), (30, 30), (44, 36)] {
         let (value, rays) = replay(&scene, &Local::default(), PICTURE, at);
@@ -121,10 +119,9 @@ fn floor_under(light: Light) -> Rgb {
 #[test]
 fn point_lights_follow_their_formulas() {
     let position = DVec3::new(3.0, 4.0, 0.0); // at distance 5, cos θ = 0.8
-    let light = |falloff| Light::Point(PointLight { position, power: Rgb::splat(2.0), falloff });
-    let flat = floor_under(light(Falloff::None)).x;
+    let flat = floor_under(PointLight::of_color(position, Rgb::splat(2.0)).into()).x;
     assert!((flat - 0.5 * 2.0 * 0.8).abs() <= gamma(20), "{flat}");
-    let radiometric = floor_under(light(Falloff::InverseSquare)).x;
+    let radiometric = floor_under(PointLight::of_intensity(position, Rgb::splat(2.0)).into()).x;
     assert!((radiometric - 0.5 / PI * 2.0 * 0.8 / 25.0).abs() <= gamma(20), "{radiometric}");
 }
 
@@ -140,11 +137,10 @@ fn a_radiometric_rectangle_converges_to_its_closed_form() {
     let error = |n: u32| {
         let center = DVec3::new(0.0, height, 0.0);
         let size = DVec2::splat(2.0 * half);
-        let falloff = Falloff::InverseSquare;
-        let light =
-            AreaLight::new(center, DVec3::NEG_Y, 0.0, size, Rgb::splat(3.0), falloff).expect("a light");
+        let light = AreaLight::rectangle(center, DVec3::NEG_Y, 0.0, size, Emission::diffuse(Rgb::splat(3.0)))
+            .expect("a light");
         // The camera looks through the light: its back is not there.
-        (floor_under(Light::Area(light.subdivided(n, n, Placement::Grid))).x - truth).abs()
+        (floor_under(Light::Area(light.subdivided(n, n, Pattern::Centres))).x - truth).abs()
     };
     let (coarse, fine) = (error(32), error(64));
     assert!(coarse < 1e-3 * truth, "{coarse}");
@@ -158,9 +154,9 @@ fn a_light_may_touch_what_carries_it() {
         let center = DVec3::new(0.1, height, 0.7 / 3.0);
         let size = DVec2::splat(0.4 * height);
         let light =
-            AreaLight::new(center, DVec3::NEG_Y, 0.1, size, Rgb::ONE, Falloff::None).expect("a light");
+            AreaLight::rectangle(center, DVec3::NEG_Y, 0.1, size, Emission::even(Rgb::ONE)).expect("a light");
         let mut ends = Ends::within(center, size.length());
-        ends.place((0..100).map(|i| light.subdivided(10, 10, Placement::Grid).point(i, DVec2::splat(0.5))));
+        ends.place(Cells::grid(10, 10).iter().map(|cell| light.emitter.point(cell.center())));
         let mut fan = Fan::new(Vectors::Widest);
         fan.aim(DVec3::new(0.3, 0.0, 0.2), &ends);
         let top = DVec3::new(9.0 * height, 2.0 * height, 9.0 * height);
@@ -251,7 +247,7 @@ proptest! {
 /// The stages add up: shadows take light away, and only light.
 #[test]
 fn shadows_only_darken() {
-    let scene = room(Placement::Grid);
+    let scene = room(Pattern::Centres);
     let picture = |stage| render(&scene, &Local { stage, ..Local::default() }, PICTURE).image;
     let (open, shadowed) = (picture(Stage::Unshadowed), picture(Stage::Shadowed));
     let darker = |(a, b): (&Rgb, &Rgb)| b.cmple(*a).all();

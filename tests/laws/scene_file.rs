@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 use lightbench::command::check::check;
-use lightbench::light::{Falloff, Light, Placement};
+use lightbench::light::{AreaLight, Attenuation, Emission, Emitter, Light, PointLight, Rectangle};
 use lightbench::ray::Ray;
+use lightbench::sample::{Cells, Pattern};
 use lightbench::scene::{FieldOfView, Material};
 use lightbench::scene_file::{
     Color, Diagnostics, ReadError, SceneFile, Settings, Severity, read, read_bytes, read_file, reference,
@@ -38,6 +39,11 @@ fn scene(name: &str) -> SceneFile {
     read_file(&scene_path(name)).unwrap_or_else(|e| panic!("{}", e.render(Color::Never)))
 }
 
+fn rectangle(light: &AreaLight) -> Rectangle {
+    let Emitter::Rectangle(rectangle) = light.emitter else { panic!("a rectangle") };
+    rectangle
+}
+
 #[test]
 fn defaults_are_the_documents() {
     let file = right(
@@ -59,11 +65,13 @@ fn defaults_are_the_documents() {
     assert!(bounds[0].contains(DVec3::ONE) && bounds[1].contains(DVec3::splat(0.5)));
     assert!(!bounds[1].contains(DVec3::splat(0.51)));
     let [Light::Point(point), Light::Area(area)] = &file.scene.lights[..] else { panic!("two lights") };
-    assert_eq!((point.position, point.power, point.falloff), (DVec3::ZERO, DVec3::ONE, Falloff::None));
-    assert_eq!((area.power, area.falloff), (DVec3::ONE, Falloff::None));
-    assert_eq!((area.center, area.normal), (DVec3::ZERO, DVec3::NEG_Y));
-    assert_eq!((area.subdivision, area.placement), ((5, 5), Placement::Grid));
-    assert_eq!((area.half_width.length(), area.half_height.length()), (0.5, 0.5));
+    assert_eq!(*point, PointLight::of_color(DVec3::ZERO, DVec3::ONE));
+    assert_eq!(point.attenuation, Attenuation::None);
+    assert_eq!(area.emission, Emission::even(DVec3::ONE));
+    assert_eq!((area.cells(), area.pattern()), (Cells::grid(5, 5), Pattern::Centres));
+    let rectangle = rectangle(area);
+    assert_eq!((rectangle.center(), rectangle.normal()), (DVec3::ZERO, DVec3::NEG_Y));
+    assert_eq!((rectangle.half_width().length(), rectangle.half_height().length()), (0.5, 0.5));
 }
 
 #[test]
@@ -91,11 +99,13 @@ fn written_values_arrive_in_their_units() {
     assert_eq!((m.emissive, m.roughness, m.opacity, m.ior), (DVec3::new(7.0, 8.0, 9.0), 0.1, 0.5, 1.5));
     assert_eq!((m.reflection_angle, m.reflection_amount), (90f64.to_radians(), 0.25));
     let [Light::Point(point), Light::Area(area)] = &file.scene.lights[..] else { panic!("two lights") };
-    assert_eq!((point.power, point.falloff), (DVec3::new(1.0, 2.0, 3.0), Falloff::InverseSquare));
-    assert_eq!((area.power, area.falloff), (DVec3::new(1.0, 2.0, 3.0), Falloff::InverseSquare));
-    assert_eq!((area.subdivision, area.placement), ((2, 3), Placement::Jittered));
+    let power = DVec3::new(1.0, 2.0, 3.0);
+    assert_eq!(*point, PointLight::of_intensity(DVec3::new(4.0, 5.0, 6.0), power));
+    assert_eq!(area.emission, Emission::diffuse(power));
+    assert_eq!((area.cells(), area.pattern()), (Cells::grid(2, 3), Pattern::Jittered));
     // A quarter turn, in radians: what ran horizontally runs vertically, up to cos(π/2) = 6e-17 and 8 roundings.
-    assert!(area.half_width.x.abs() < 1.0e-15 && (area.half_width.y.abs() - 1.0).abs() < 1.0e-15);
+    let half_width = rectangle(area).half_width();
+    assert!(half_width.x.abs() < 1.0e-15 && (half_width.y.abs() - 1.0).abs() < 1.0e-15);
     assert_eq!(file.rays_per_pixel(), 16 * (1 + 1 + 6));
     assert_eq!(file.scene.objects[0].name, "Sphere (line 6)");
 }
@@ -105,7 +115,7 @@ fn the_documents_first_scene_is_whole() {
     let file = scene("d01_boxes_spheres.scene");
     assert_eq!((file.scene.objects.len(), file.scene.materials.len(), file.scene.lights.len()), (10, 3, 1));
     let Light::Area(light) = &file.scene.lights[0] else { panic!("an area light") };
-    assert_eq!((light.subdivision, light.power, light.falloff), ((10, 10), DVec3::ONE, Falloff::None));
+    assert_eq!((light.cells(), light.emission), (Cells::grid(10, 10), Emission::even(DVec3::ONE)));
     assert_eq!(file.rays_per_pixel(), 101);
     assert_eq!(file.remarks.warnings().count(), 0);
     assert_eq!(file.remarks.notes().count(), 1, "one note for all that has no effect yet");
@@ -121,13 +131,14 @@ fn the_documents_first_scene_is_whole() {
 fn the_rooms_differ_in_their_light_only() {
     let point = scene("d01_point_light.scene");
     let Light::Point(light) = &point.scene.lights[0] else { panic!("a point light") };
-    assert_eq!((light.position, light.power), (DVec3::new(3.0, 5.0, 8.0), DVec3::splat(0.9)));
-    assert_eq!((light.falloff, point.rays_per_pixel()), (Falloff::None, 2));
+    assert_eq!(*light, PointLight::of_color(DVec3::new(3.0, 5.0, 8.0), DVec3::splat(0.9)));
+    assert_eq!(point.rays_per_pixel(), 2);
     let radiometric = scene("d01_radiometric.scene");
     let Light::Area(light) = &radiometric.scene.lights[0] else { panic!("an area light") };
-    assert_eq!((light.power, light.falloff), (DVec3::splat(50.0), Falloff::InverseSquare));
-    assert_eq!((light.center, light.normal, light.area()), (DVec3::new(3.0, 5.0, 8.0), DVec3::NEG_Z, 4.0));
-    assert_eq!(light.subdivision, (10, 10));
+    assert_eq!((light.cells(), light.emission), (Cells::grid(10, 10), Emission::diffuse(DVec3::splat(50.0))));
+    let rectangle = rectangle(light);
+    assert_eq!((rectangle.center(), rectangle.normal()), (DVec3::new(3.0, 5.0, 8.0), DVec3::NEG_Z));
+    assert_eq!(light.emitter.area(), 4.0);
     let area = scene("d01_boxes_spheres.scene");
     for other in [&point, &radiometric] {
         assert_eq!(other.settings, area.settings);
@@ -233,7 +244,11 @@ const MISTAKES: &[Mistake] = &[
     ("AreaLight { Subdivision 0 5 }", (5, 25), &["`Subdivision`", "from 1 to 65536", "found `0`"]),
     ("AreaLight { Subdivision 5.5 5 }", (5, 25), &["`5.5` is not a whole number"]),
     ("AreaLight { Subdivision 1000 1000 }", (5, 25), &["1000000 cells", "at most 65536"]),
-    ("AreaLight { Placement random }", (5, 23), &["no choice `random`", "grid or jittered"]),
+    (
+        "AreaLight { Placement halton }",
+        (5, 23),
+        &["no choice `halton`", "grid or jittered or random or sobol or r2"],
+    ),
     ("Camera { FOV 180 }", (5, 14), &["`FOV`", "strictly between 0 and 180"]),
     ("Camera { FOV 0 }", (5, 14), &["strictly between 0 and 180"]),
     ("Camera { POV 1 2 3 POI 1 2 3 }", (5, 24), &["same point", "(1, 2, 3)"]),

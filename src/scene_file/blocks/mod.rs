@@ -3,8 +3,12 @@
 //! The parser, its messages and the printed reference all read this table; a new block is a new row
 //! here, and its construction in `build`.
 
+mod lights;
+mod material;
 mod objects;
 mod solids;
+
+pub use material::READ_BY;
 
 use super::format::{Default, Domain, Kind, Names, Origin, Param, Role, Rule, State};
 
@@ -15,7 +19,7 @@ pub fn rule(name: &str) -> Option<&'static Rule> {
 
 /// Every block of the format, in the order of the reference.
 pub fn rules() -> impl Iterator<Item = &'static Rule> {
-    [WORLD, objects::OBJECTS, solids::OPERATIONS, LIGHTS].into_iter().flatten()
+    [WORLD, objects::OBJECTS, solids::OPERATIONS, lights::LIGHTS].into_iter().flatten()
 }
 
 /// Largest width or height of a picture [pixels].
@@ -145,139 +149,5 @@ const WORLD: &[Rule] = &[
         doc: "A picture for materials [D §4.5].",
         params: &[NAME, SOURCE],
     },
-    Rule {
-        name: "Material",
-        role: Role::Named(Names::Material),
-        state: State::Supported,
-        origin: Origin::Document,
-        doc: "How surfaces look [D §4.6]. Spheres, boxes and other primitives use its colours, never its textures.",
-        params: &[
-            NAME,
-            color("DiffuseColor", SHARE, &[0.9, 0.9, 0.9], "share of light sent back in all directions"),
-            color(
-                "SpecularColor",
-                SHARE,
-                &[0.8, 0.8, 0.8],
-                "share of light sent back about the mirror direction",
-            ),
-            color("EmissiveColor", Domain::NotNegative, ZERO, "radiance of its own").unit("W m⁻² sr⁻¹"),
-            texture("DiffuseTexture", "multiplies DiffuseColor"),
-            texture("SpecularTexture", "multiplies SpecularColor"),
-            texture("EmissiveTexture", "multiplies EmissiveColor"),
-            texture("NormalTexture", "tilts the normals"),
-            Param::new("Roughness", "r", number(SHARE), Default::Numbers(&[0.5]), "0 polished … 1 rough"),
-            Param::new("Opacity", "o", number(SHARE), Default::Numbers(&[1.0]), "0 clear … 1 opaque"),
-            Param::new(
-                "RefractionIndex",
-                "n",
-                number(Domain::Positive),
-                Default::Numbers(&[1.0]),
-                "absolute index of refraction",
-            ),
-            Param::new(
-                "ReflectionAngle",
-                "angle",
-                number(Domain::Closed(0.0, 90.0)),
-                Default::Numbers(&[0.0]),
-                "half angle of the cone of reflected rays",
-            )
-            .unit("degrees")
-            .alias("ReflecionAngle"),
-            Param::new(
-                "ReflectionAmount",
-                "a",
-                number(SHARE),
-                Default::Numbers(&[0.0]),
-                "share of SpecularColor that is mirrored",
-            ),
-        ],
-    },
-];
-
-/// What shines.
-const LIGHTS: &[Rule] = &[
-    Rule {
-        name: "PointLight",
-        role: Role::Light,
-        state: State::Supported,
-        origin: Origin::Document,
-        doc: "A light without size [D §4.10.1].",
-        params: &[
-            point("Position", ZERO, "where it is"),
-            color(
-                "Color",
-                Domain::NotNegative,
-                ONES,
-                "a facing surface of reflectance ρ shows the radiance ρ·Color, at any distance",
-            )
-            .unit("W m⁻² sr⁻¹"),
-            Param::new(
-                "Intensity",
-                "r g b",
-                triple(Domain::NotNegative),
-                Default::Absent,
-                "instead of Color: thins out with the squared distance",
-            )
-            .unit("W sr⁻¹")
-            .extension(),
-        ],
-    },
-    Rule {
-        name: "AreaLight",
-        role: Role::Light,
-        state: State::Supported,
-        origin: Origin::Document,
-        doc: "A rectangle that shines [D §4.10.2]. Without roll its width runs horizontally.",
-        params: &[
-            color(
-                "Color",
-                Domain::NotNegative,
-                ONES,
-                "a facing surface of reflectance ρ shows the radiance ρ·Color, at any distance",
-            )
-            .unit("W m⁻² sr⁻¹"),
-            Param::new(
-                "Radiance",
-                "r g b",
-                triple(Domain::NotNegative),
-                Default::Absent,
-                "instead of Color: shines to its front by Lambert's cosine law",
-            )
-            .unit("W m⁻² sr⁻¹")
-            .extension(),
-            point("Position", ZERO, "its centre"),
-            Param::new(
-                "Direction",
-                "x y z",
-                triple(Domain::Direction),
-                Default::Numbers(&[0.0, -1.0, 0.0]),
-                "where it faces",
-            ),
-            Param::new(
-                "RollAngle",
-                "angle",
-                number(ANY),
-                Default::Numbers(&[0.0]),
-                "turns it about its direction",
-            )
-            .unit("rad"),
-            length("Width", &[1.0], "its width"),
-            length("Height", &[1.0], "its height"),
-            Param::new(
-                "Subdivision",
-                "columns rows",
-                Kind::Integers { count: 2, from: 1, to: MOST_CELLS as i64 },
-                Default::Integers(&[5, 5]),
-                "cells along width and height, one shadow ray each; at most 65536 in all",
-            ),
-            Param::new(
-                "Placement",
-                "place",
-                Kind::Choice(&["grid", "jittered"]),
-                Default::Word("grid"),
-                "where in its cell a shadow ray ends: at the centre, or at random",
-            )
-            .extension(),
-        ],
-    },
+    material::MATERIAL,
 ];

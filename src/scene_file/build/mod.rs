@@ -1,19 +1,20 @@
 //! From blocks to a scene: the only place that knows what becomes of each block.
 
 mod csg;
+mod light;
+mod material;
 mod mesh;
 mod objects;
 mod transformation;
 
-use super::blocks::{MOST_CELLS, MOST_PIXELS};
+use super::blocks::MOST_PIXELS;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity, Span};
-use super::format::{Role, State};
+use super::format::Role;
 use super::parse::{Block, Parsed};
 use super::{Given, Settings, declared, pending};
 use crate::color::Rgb;
-use crate::light::{AreaLight, Falloff, Light, Placement, PointLight};
 use crate::scene::{Camera, CameraError, FieldOfView, Material, Scene};
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use std::path::Path;
 
 /// The scene, unless something is missing or wrong, and what was found in the files of `folder` that it names; what is
@@ -41,9 +42,9 @@ fn scene(
     let camera_block = last(blocks, Role::Camera, log);
     let settings = settings_block.map_or(Settings::default(), |b| settings(b, log));
     let camera = camera_block.and_then(|b| camera(b, log));
-    let materials: Vec<_> = of(blocks, Role::is_material).map(|b| (b, material(b))).collect();
+    let materials: Vec<_> = of(blocks, Role::is_material).map(|b| (b, material::material(b, log))).collect();
     let (objects, found) = objects::objects(blocks, folder, &materials, log, files);
-    let lights: Vec<_> = of(blocks, |r| r == Role::Light).filter_map(|b| light(b, log)).collect();
+    let lights: Vec<_> = of(blocks, |r| r == Role::Light).filter_map(|b| light::light(b, log)).collect();
     missing(source, parsed, log);
     let mut scene = Scene::new(camera?);
     if let Some(block) = settings_block {
@@ -203,87 +204,5 @@ fn point(p: DVec3) -> String {
 impl Role {
     fn is_material(self) -> bool {
         self == Role::Named(super::format::Names::Material)
-    }
-}
-
-fn material(block: &Block) -> Material {
-    let color = |name: &str| DVec3::from(block.numbers(name));
-    let one = |name: &str| block.numbers::<1>(name)[0];
-    Material {
-        name: block.word("Name").unwrap_or_default().to_owned(),
-        diffuse: color("DiffuseColor"),
-        specular: color("SpecularColor"),
-        emissive: color("EmissiveColor"),
-        roughness: one("Roughness"),
-        opacity: one("Opacity"),
-        ior: one("RefractionIndex"),
-        reflection_angle: one("ReflectionAngle").to_radians(),
-        reflection_amount: one("ReflectionAmount"),
-    }
-}
-
-fn light(block: &Block, log: &mut Vec<Diagnostic>) -> Option<Light> {
-    let (radiometric, whose) = match block.rule.name {
-        "PointLight" => ("Intensity", "PointLight"),
-        _ => ("Radiance", "AreaLight"),
-    };
-    if let (Some(color), Some(other)) = (block.entry("Color"), block.entry(radiometric)) {
-        let (first, second) =
-            if color.keyword.start < other.keyword.start { (color, other) } else { (other, color) };
-        let message = format!("`{whose}` has both `Color` and `{radiometric}`");
-        log.push(
-            Diagnostic::error(second.keyword.clone(), message)
-                .expected("one of them")
-                .related(first.keyword.clone(), "the other is given here"),
-        );
-        return None;
-    }
-    if block.is_broken() || block.rule.state == State::Planned {
-        return None;
-    }
-    let (power, falloff) = match block.entry(radiometric) {
-        Some(_) => (DVec3::from(block.numbers(radiometric)), Falloff::InverseSquare),
-        None => (DVec3::from(block.numbers("Color")), Falloff::None),
-    };
-    match block.rule.name {
-        "PointLight" => Some(Light::Point(PointLight {
-            position: DVec3::from(block.numbers("Position")),
-            power,
-            falloff,
-        })),
-        _ => area_light(block, power, falloff, log).map(Light::Area),
-    }
-}
-
-fn area_light(block: &Block, power: Rgb, falloff: Falloff, log: &mut Vec<Diagnostic>) -> Option<AreaLight> {
-    let [columns, rows] = block.integers("Subdivision").map(natural);
-    let cells = u64::from(columns) * u64::from(rows);
-    if cells > MOST_CELLS {
-        let d = Diagnostic::error(block.span("Subdivision"), format!("the light has {cells} cells"));
-        log.push(d.expected(format!("at most {MOST_CELLS}")).found(format!("{columns} × {rows}")));
-        return None;
-    }
-    let placement = match block.word("Placement") {
-        Some("jittered") => Placement::Jittered,
-        _ => Placement::Grid,
-    };
-    let [width] = block.numbers("Width");
-    let [height] = block.numbers("Height");
-    let [roll] = block.numbers("RollAngle");
-    let [center, direction] = ["Position", "Direction"].map(|name| DVec3::from(block.numbers(name)));
-    match AreaLight::new(center, direction, roll, DVec2::new(width, height), power, falloff) {
-        Ok(light) => Some(light.subdivided(columns, rows, placement)),
-        Err(error) => {
-            log.push(Diagnostic::error(block.keyword.clone(), error.to_string()));
-            None
-        }
-    }
-}
-
-/// Shadow rays from one hit to a light.
-pub fn shadow_rays(light: &Light) -> u64 {
-    match light {
-        Light::Point(_) => 1,
-        Light::Area(light) => u64::from(light.cells()),
     }
 }
