@@ -4,6 +4,7 @@
 mod support;
 
 mod accel;
+mod area_lights;
 mod architecture;
 mod brdf;
 mod certified;
