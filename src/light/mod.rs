@@ -9,6 +9,10 @@
 //! | ours | point light of intensity `I` [W sr⁻¹] | `I / d²` |
 //! | ours | rectangle of radiance `L` [W m⁻² sr⁻¹], emitting to its front only | `L cos θₗ A / d²`, a point standing for the area `A` |
 
+mod irradiance;
+
+pub use irradiance::{polygon_irradiance, sphere_irradiance};
+
 use crate::color::Rgb;
 use crate::frame::{Frame, rotation_about, unit};
 use crate::ray::Ray;
