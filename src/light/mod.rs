@@ -10,8 +10,10 @@
 //! | ours | rectangle of radiance `L` [W m⁻² sr⁻¹], emitting to its front only | `L cos θₗ A / d²`, a point standing for the area `A` |
 
 mod irradiance;
+mod solid_angle;
 
 pub use irradiance::{polygon_irradiance, sphere_irradiance};
+pub use solid_angle::{SphericalCap, SphericalRectangle, SphericalTriangle};
 
 use crate::color::Rgb;
 use crate::frame::{Frame, rotation_about, unit};
