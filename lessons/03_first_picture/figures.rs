@@ -10,10 +10,10 @@ use lightbench::kit::figure::{
     self, Axis, Chart, Diagram, ErrorPanel, Figure, Guide, Panels, Pixels, Shades, Table,
 };
 use lightbench::kit::lesson::{Lesson, Result};
-use lightbench::sample::Pattern::Centres;
 use lightbench::measure::{Method, Point, Series};
 use lightbench::ray::Ray;
 use lightbench::render::{Picture, render};
+use lightbench::sample::Pattern::Centres;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::Shape;
 use lightbench::shape::sphere::Sphere;

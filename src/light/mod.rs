@@ -18,13 +18,18 @@
 mod area;
 mod attenuation;
 mod emitter;
+mod irradiance;
 mod seen;
 mod sharp;
+mod solid_angle;
 
 pub use area::{AreaLight, Emission, Measure};
 pub use attenuation::Attenuation;
 pub use emitter::{Emitter, Rectangle};
+pub use irradiance::{polygon_irradiance, sphere_irradiance};
+pub use seen::Seen;
 pub use sharp::{Arrival, DirectionalLight, PointLight, SpotLight};
+pub use solid_angle::{SphericalCap, SphericalRectangle, SphericalTriangle};
 
 use glam::DVec3;
 

@@ -3,6 +3,7 @@
 //! Students check exercises with it, and other programs check the library: a CSV with a header goes
 //! in, a CSV with the answers comes out, row by row, every number printed so that it reads back exactly.
 
+mod area_light;
 mod camera;
 mod colour;
 mod csg;
@@ -42,6 +43,7 @@ pub const TOPICS: &[Topic] = &[
     menger::RAY_MENGER,
     reflection::BRDF_VALUES,
     reflection::BRDF_ALBEDO,
+    area_light::AREA_LIGHT,
 ];
 
 /// A topic: one function of the library, or several methods for the same question.

@@ -19,7 +19,7 @@ use lightbench::shape::sphere::Sphere;
 use lightbench::shape::triangle::Triangle;
 use std::f64::consts::{FRAC_1_PI, PI};
 
-const EYE: DVec3 = dvec3(4.0, 9.0, -2.0);
+const EYE: DVec3 = dvec3(2.0, 4.0, -9.0);
 const ALBEDO: Rgb = dvec3(0.5, 0.25, 0.75);
 /// Estimates of one mean. A ray to a sphere's area is wasted with probability ½; sums of 16 have a skewness under ¼, and
 /// (40 · ¼)² = 100 would do.
@@ -93,7 +93,7 @@ fn every_pattern_and_measure_has_the_closed_form_for_its_mean() {
 #[test]
 fn the_back_of_a_diffuse_light_is_dark() {
     for (name, emitter) in emitters() {
-        let turned = match facing_origin(emitter) {
+        let turned: Emitter = match facing_origin(emitter) {
             Emitter::Rectangle(r) => {
                 let size = 2.0 * dvec2(r.half_width().length(), r.half_height().length());
                 Rectangle::facing(r.center(), -r.normal(), 0.0, size).expect("a rectangle").into()
@@ -102,10 +102,10 @@ fn the_back_of_a_diffuse_light_is_dark() {
                 let [a, b, c] = t.corners();
                 Triangle::new(a, c, b).expect("a triangle").into()
             }
-            Emitter::Sphere(_) => Sphere::new(DVec3::Y * 0.5, 3.0).expect("a sphere around the place").into(),
+            Emitter::Sphere(_) => Sphere::new(DVec3::Y * 0.5, 30.0).expect("a sphere around everything").into(),
         };
         for measure in [Measure::Area, Measure::SolidAngle] {
-            let light = AreaLight::new::<Emitter>(turned, Emission::diffuse(Rgb::ONE));
+            let light = AreaLight::new(turned, Emission::diffuse(Rgb::ONE));
             let scene = floor(matt(), light.sampled(9, Pattern::Jittered).by(measure).into());
             let picture = Picture { width: 40, height: 1, samples: 1, seed: 1 };
             let dark = render(&scene, &Local::default(), picture).image;
@@ -136,7 +136,8 @@ fn an_even_light_is_the_mean_of_its_points() {
 
 fn shiny() -> Lobes {
     let pulled = Lafortune::new(dvec3(-0.9, -0.4, 0.7), 6.0, 1.0).expect("a lobe");
-    let parts = [(Rgb::new(0.2, 0.5, 0.3), Phong::new(20.0).expect("a lobe").into()), (ALBEDO, pulled.into())];
+    let parts =
+        [(Rgb::new(0.2, 0.5, 0.3), Phong::new(20.0).expect("a lobe").into()), (ALBEDO, pulled.into())];
     Lobes::new(parts).expect("lobes")
 }
 

@@ -4,8 +4,8 @@
 mod support;
 
 mod accel;
-mod area_lights;
 mod architecture;
+mod area_lights;
 mod brdf;
 mod certified;
 mod colour;

@@ -3,6 +3,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod area_light;
 mod colour;
 mod film;
 mod julia;
