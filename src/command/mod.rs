@@ -5,6 +5,7 @@
 
 pub mod check;
 pub mod compare;
+mod convert;
 mod figures;
 mod render;
 
@@ -47,6 +48,11 @@ enum Verb {
     /// Report every problem in scene files (`--list` shows what may stand in one)
     Check {
         /// Scene files
+        files: Vec<PathBuf>,
+    },
+    /// Write the trees of solids of scene files as `.csg` files, which document D's editor reads
+    Convert {
+        /// Scene files; those with several trees make several files
         files: Vec<PathBuf>,
     },
     /// Evaluate a library function on each row of a table from stdin (`--list` shows the topics)
@@ -100,6 +106,7 @@ pub fn main() -> ExitCode {
         Verb::Render(args) => render::render(&args, &cli.flags),
         Verb::Compare { a, b } => compare_pictures(&a, &b, &cli.flags),
         Verb::Check { files } => check_files(&files, &cli.flags),
+        Verb::Convert { files } => convert::convert(&files, &cli.flags),
         Verb::Probe { topic, method, data } => {
             probe_table(topic.as_deref(), method.as_deref(), data.as_deref(), &cli.flags)
         }

@@ -185,3 +185,53 @@ fn a_tree_in_a_file_and_the_same_inside_a_scene_make_the_same_picture() {
     };
     assert!(pixels("out/a.hdr") == pixels("out/b.hdr"));
 }
+
+/// A tree that is written draws what the scene drew, and reads as right.
+#[test]
+fn a_tree_of_a_scene_becomes_a_file() {
+    let bench = Bench::new("csg_convert");
+    let tree = "Difference { Sphere { Center -1 0 0 } Sphere { Center 1 0 0 Scale 1 2 1 } Box { } }";
+    let moved = format!("{SCENE}CSG {{ Material m {tree} Translation 0.25 0 0 }}\n");
+    bench.write("a.scene", moved.as_bytes());
+    let ran = bench.line("convert a.scene --out .").done();
+    assert_eq!(ran.out.lines().count(), 1);
+    let checked = bench.line("check a.csg").done();
+    assert!(checked.out.contains("2 operations, 3 solids"), "{}", checked.out);
+    bench.write("b.scene", format!("{SCENE}CSG {{ Material m Source \"a.csg\" }}\n").as_bytes());
+    bench.line("render a.scene b.scene --width 24 --height 24 --format hdr --out out").done();
+    let pixels = |name: &str| {
+        let bytes = bench.read(name);
+        let at = bytes.windows(6).position(|w| w == b"-Y 24 ").expect("the picture's size");
+        bytes[at..].to_vec()
+    };
+    assert!(pixels("out/a.hdr") == pixels("out/b.hdr"));
+}
+
+#[test]
+fn what_cannot_be_converted_is_told_and_writes_nothing() {
+    let bench = Bench::new("csg_convert_wrong");
+    let ball = format!("{SCENE}Sphere {{ Material m }}\n");
+    bench.write("ball.scene", ball.as_bytes());
+    bench.write(
+        "t.csg",
+        format!("{BALLS}Union {{ LeftType Sphere LeftIndex 0 RightType Sphere RightIndex 1 }}\n").as_bytes(),
+    );
+    bench.write("named.scene", format!("{SCENE}CSG {{ Material m Source \"t.csg\" }}\n").as_bytes());
+    bench.write(
+        "right.scene",
+        format!("{SCENE}CSG {{ Material m Union {{ Box {{ }} Sphere {{ }} }} }}\n").as_bytes(),
+    );
+    let before = bench.files();
+    for (line, word) in [
+        ("convert", "expected scene files"),
+        ("convert right.scene ball.scene", "none of them a `CSG`"),
+        ("convert right.scene named.scene", "named.scene:4:1: error: `CSG` comes from another file"),
+        ("convert right.scene missing.scene", "missing.scene: cannot be read"),
+        ("convert right.scene right.scene", "two files would be called"),
+    ] {
+        let ran = bench.line(line);
+        assert_eq!(ran.code, Some(2), "{line}");
+        assert!(ran.err.contains(word), "`{word}` is not in\n{}", ran.err);
+    }
+    assert_eq!(bench.files(), before);
+}

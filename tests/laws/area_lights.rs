@@ -102,7 +102,9 @@ fn the_back_of_a_diffuse_light_is_dark() {
                 let [a, b, c] = t.corners();
                 Triangle::new(a, c, b).expect("a triangle").into()
             }
-            Emitter::Sphere(_) => Sphere::new(DVec3::Y * 0.5, 30.0).expect("a sphere around everything").into(),
+            Emitter::Sphere(_) => {
+                Sphere::new(DVec3::Y * 0.5, 30.0).expect("a sphere around everything").into()
+            }
         };
         for measure in [Measure::Area, Measure::SolidAngle] {
             let light = AreaLight::new(turned, Emission::diffuse(Rgb::ONE));

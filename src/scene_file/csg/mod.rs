@@ -66,6 +66,35 @@ pub fn read_file(path: &Path) -> Result<CsgFile, ReadError> {
     Ok(read(&source::text(path, source::LARGEST_FILE)?, &path.display().to_string()))
 }
 
+/// The text of a `.csg` file for each `CSG` of a scene, in the scene's order; `name` is what messages call the scene.
+///
+/// - Errors: everything that is wrong with the scene; a `CSG` that has no such file, at its place.
+pub fn of_scene(source: &str, name: &str) -> Result<Vec<String>, Diagnostics> {
+    let scene = super::read(source, name)?;
+    let parsed = parse::parse(source, &token::tokens(source, &mut Vec::new()), &mut Vec::new());
+    let mut log = Vec::new();
+    let mut texts = Vec::new();
+    for block in parsed.blocks.iter().filter(|b| b.rule.name == "CSG") {
+        match write(block) {
+            Ok(text) => texts.push(text),
+            Err(why) => log.push(Diagnostic::error(why.at(), why.to_string())),
+        }
+    }
+    if parsed.blocks.iter().all(|b| b.rule.name != "CSG") {
+        let message = format!("the scene has {} objects, none of them a `CSG`", scene.scene.objects.len());
+        log.push(Diagnostic::error(0..0, message).expected("a `CSG`, which can be a file of its own"));
+    }
+    if log.is_empty() { Ok(texts) } else { Err(Diagnostics::new(name, source, log)) }
+}
+
+/// [`of_scene`] of a file; messages call it by its path as given.
+///
+/// - Errors: as there; a file that cannot be read.
+pub fn of_scene_file(path: &Path) -> Result<Vec<String>, ReadError> {
+    let text = source::text(path, source::LARGEST_FILE)?;
+    of_scene(&text, &path.display().to_string()).map_err(ReadError::Wrong)
+}
+
 /// A block that has no place in such a file.
 fn foreign(block: &Block) -> Option<Diagnostic> {
     let name = block.rule.name;

@@ -1,6 +1,7 @@
 //! Trees as `.csg` files.
 
 use super::operation;
+use crate::scene_file::diagnostic::Span;
 use crate::scene_file::format::Kind;
 use crate::scene_file::parse::{Block, Entry};
 use crate::scene_file::value::Value;
@@ -10,10 +11,19 @@ use std::fmt::Write;
 /// Why a tree has no `.csg` file of its own.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotWritten {
-    #[error("line {line}: `{name}` comes from another file")]
-    OtherFile { name: &'static str, line: usize },
-    #[error("line {line}: `{name}` holds {found} solids; expected {expected}")]
-    Operands { name: &'static str, line: usize, expected: &'static str, found: usize },
+    #[error("`{name}` comes from another file")]
+    OtherFile { name: &'static str, at: Span },
+    #[error("`{name}` holds {found} solids; expected {expected}")]
+    Operands { name: &'static str, at: Span, expected: &'static str, found: usize },
+}
+
+impl NotWritten {
+    /// Where the block stands that is in the way.
+    pub fn at(&self) -> Span {
+        match self {
+            NotWritten::OtherFile { at, .. } | NotWritten::Operands { at, .. } => at.clone(),
+        }
+    }
 }
 
 /// The text of a `.csg` file for a tree as one block that holds its operands: a `CSG`, an operation or a solid.
@@ -38,20 +48,21 @@ type Written = (&'static str, usize);
 impl Writer {
     /// Writes a node and all below it; `more` are transformations from above that come after its own.
     fn node(&mut self, block: &Block, more: &[Entry]) -> Result<Written, NotWritten> {
-        let (name, line, found) = (block.rule.name, block.line, block.children.len());
+        let (name, found) = (block.rule.name, block.children.len());
+        let at = || block.keyword.clone();
         if name == "CSG" {
             let own: Vec<Entry> = transformations(block).chain(more).cloned().collect();
             return match &block.children[..] {
                 [child] if block.entry("Source").is_none() => self.node(child, &own),
-                _ if block.entry("Source").is_some() => Err(NotWritten::OtherFile { name, line }),
-                _ => Err(NotWritten::Operands { name, line, expected: "one", found }),
+                _ if block.entry("Source").is_some() => Err(NotWritten::OtherFile { name, at: at() }),
+                _ => Err(NotWritten::Operands { name, at: at(), expected: "one", found }),
             };
         }
         let Some(operation) = operation(block) else {
             return Ok(self.block(name, own(block).chain(more), &[]));
         };
         if found < 2 {
-            return Err(NotWritten::Operands { name, line, expected: "two or more", found });
+            return Err(NotWritten::Operands { name, at: at(), expected: "two or more", found });
         }
         let operands: Vec<Written> =
             block.children.iter().map(|c| self.node(c, &[])).collect::<Result<_, _>>()?;
