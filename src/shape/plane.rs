@@ -85,7 +85,9 @@ impl Plane {
     ///
     /// `o + t d` is brought back onto the plane. Rounding bound of its distance from the plane: `p − p₀`
     /// (1 rounding), its product with the rounded unit normal (3, and 4 of the normal), times the normal
-    /// (1 and 4), all relative to `|p − p₀|`, and the last subtraction, `u |p|` in each coordinate.
+    /// (1 and 4), all relative to `|p − p₀|`, and the last subtraction, `u |p|` in each coordinate. A plane through the world's
+    /// origin, met just there, would have no error at all, and a ray that leaves would start in it: `u²` of the ray's own
+    /// origin, which nothing else can see, takes it off.
     pub(crate) fn flat_hit(&self, ray: &Ray, crossing: &Crossing) -> Hit {
         let p = ray.at(crossing.t);
         let from = p - self.point;
@@ -95,7 +97,9 @@ impl Plane {
         Hit {
             t: crossing.t,
             point,
-            point_error: gamma(13) * spread + 2.0 * U * point.abs().max_element(),
+            point_error: gamma(13) * spread
+                + 2.0 * U * point.abs().max_element()
+                + U * U * ray.origin.abs().max_element(),
             ng: self.normal,
             n: self.normal,
             tangent: self.tangent,

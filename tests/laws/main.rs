@@ -18,6 +18,7 @@ mod flat;
 mod frame;
 mod fresnel;
 mod julia;
+mod leaving;
 mod lessons;
 mod local;
 mod measure;

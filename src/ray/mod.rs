@@ -4,6 +4,8 @@
 //! steps, so that only the nearest surface pays for details: a shape answers with [`Crossing`]s
 //! (where along the ray), and then describes one of them as a [`Hit`] (point, normal, coordinates).
 
+pub mod leaving;
+
 use crate::color::Rgb;
 use crate::num::U;
 use glam::{DVec2, DVec3};
