@@ -18,6 +18,7 @@
 pub mod as_printed;
 mod blinn;
 mod geometry;
+pub mod highlight;
 mod lafortune;
 mod lambert;
 mod lobes;

@@ -180,6 +180,11 @@ brdf_laws! {
     blinn_30, 1.0, blinn(30.0, BlinnScale::Exact);
     blinn_eighth, 1.0, blinn(3.0, BlinnScale::Eighth);
     blinn_raw, 1.0, blinn(3.0, BlinnScale::Raw);
+    blinn_over_cosine, 1.0, blinn(30.0, BlinnScale::OverCosine);
+    // 8π (1 − 2^(−n/2−1))/(n + 2) just under 1: the least exponent that claims to create nothing, rounded up.
+    blinn_over_cosine_at_its_limit, 1.0, blinn(23.133, BlinnScale::OverCosine);
+    blinn_over_cosine_blunt, 1.0, blinn(3.0, BlinnScale::OverCosine);
+    blinn_over_cosine_1e6, 1e-5, blinn(1e6, BlinnScale::OverCosine);
     lafortune_off_specular, 1.0, Lafortune::new(DVec3::new(-1.0, -1.0, 0.7), 12.0, 0.9).unwrap();
     lafortune_retro, 1.0, Lafortune::new(DVec3::ONE, 8.0, 0.5).unwrap();
     lafortune_brushed, 1.0, Lafortune::new(DVec3::new(-1.0, -0.6, 0.9), 6.0, 1.0).unwrap();
@@ -222,7 +227,11 @@ fn any_model() -> impl Strategy<Value = Model> {
     prop_oneof![
         (exponent(), prop_oneof![Just(PhongScale::Normalised), Just(PhongScale::Raw)])
             .prop_map(|(n, s)| phong(n, s)),
-        exponent().prop_map(|n| blinn(n, BlinnScale::Exact)),
+        (
+            exponent(),
+            prop_oneof![Just(BlinnScale::Exact), Just(BlinnScale::Raw), Just(BlinnScale::OverCosine)]
+        )
+            .prop_map(|(n, s)| blinn(n, s)),
         (c(), c(), c(), exponent())
             .prop_map(|(x, y, z, n)| Lafortune::new(DVec3::new(x, y, z), n, 1.0).unwrap().into()),
         (prop_oneof![Just(0.0), 0.0..2.0, Just(1e200)], form).prop_map(|(s, form)| oren_nayar(1.0, s, form)),

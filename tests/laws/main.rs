@@ -17,6 +17,7 @@ mod film_files;
 mod flat;
 mod frame;
 mod fresnel;
+mod highlights;
 mod julia;
 mod leaving;
 mod lessons;
