@@ -365,6 +365,24 @@ fn degenerate_charts_still_draw() {
 }
 
 #[test]
+fn a_line_sorts_its_points_steps_keep_their_order_and_scatter_joins_none() {
+    let mut sorted = line(1.0e-3, -0.4, 5);
+    sorted.points.iter_mut().for_each(|p| p.runs.clear());
+    let mut turned = sorted.clone();
+    turned.points.swap(1, 3);
+    let drawn = |chart: Chart| Figure::from(chart).svg();
+    let new = || Chart::speed_accuracy("error");
+    assert_eq!(drawn(new().line("a", &turned)), drawn(new().line("a", &sorted)));
+    assert_eq!(drawn(new().steps("a", &sorted)), drawn(new().line("a", &sorted)));
+    assert_ne!(drawn(new().steps("a", &turned)), drawn(new().line("a", &sorted)));
+    let [joined, dots] = [new().line("a", &sorted), new().scatter("a", &sorted)].map(drawn);
+    assert_eq!(dots.matches("<circle").count(), 5);
+    assert!(dots.len() < joined.len(), "no line joins the dots");
+    let noted = |x: f64| drawn(new().line("a", &sorted).note(x, 1.0e-3, "here")).contains("here");
+    assert!(noted(1.0e-7) && !noted(1.0) && !noted(f64::NAN), "a note stands beside its place, or nowhere");
+}
+
+#[test]
 fn degenerate_diagrams_maps_and_panels_still_draw() {
     let empty = [
         Figure::from(Diagram::fitted()),

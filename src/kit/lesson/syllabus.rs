@@ -126,7 +126,7 @@ pub const SYLLABUS: &[Entry] = &[
         name: "lambert",
         question: "What does each simplification of local light cost the picture, and what does it save?",
         chapter: "Light and matter",
-        introduces: &[],
+        introduces: &["bsdf"],
         builds_on: &[(3, "a light, a shadow and a first picture")],
     },
     Entry {
@@ -142,7 +142,7 @@ pub const SYLLABUS: &[Entry] = &[
         name: "highlights",
         question: "Which formula for a highlight is worth its time, and what do the others get wrong?",
         chapter: "Light and matter",
-        introduces: &["bsdf"],
+        introduces: &[],
         builds_on: &[(13, "Lambert's law and ambient light")],
     },
     Entry {

@@ -103,7 +103,7 @@ pub struct Line {
     pub name: String,
     pub look: Look,
     pub shape: Shape,
-    /// By growing x.
+    /// By growing x, but for a course that turns back.
     pub points: Vec<(Spread, Spread)>,
     pub raw: Vec<(f64, f64)>,
     /// Failures, where the horizontal axis puts them.
@@ -112,6 +112,7 @@ pub struct Line {
 }
 
 impl Line {
+    /// A measured method, in the order of its series.
     pub fn measured(method: &Method, series: &Series, from: Quantity, to: Quantity, free: usize) -> Self {
         let taken = |p: &Point| take(p, from).zip(take(p, to));
         let points: Vec<(Spread, Spread)> = series.points.iter().filter_map(taken).collect();
@@ -132,11 +133,16 @@ impl Line {
             name: named(method),
             look: Look::of(method, free),
             shape: Shape::Marked,
-            points: sorted(points),
+            points,
             raw: raw.collect(),
             failures: failures.collect(),
             is_measured: true,
         }
+    }
+
+    /// The same by growing x.
+    pub fn sorted(self) -> Line {
+        Line { points: sorted(self.points), ..self }
     }
 
     pub fn plain(method: &Method, points: &[(f64, f64)], shape: Shape, free: usize) -> Self {

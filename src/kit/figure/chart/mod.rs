@@ -76,6 +76,8 @@ pub struct Chart {
     better: Option<String>,
     lines: Vec<Line>,
     guides: Vec<Guide>,
+    /// Words beside single places.
+    notes: Vec<(f64, f64, String)>,
     series: Vec<(Method, Series)>,
 }
 
@@ -123,6 +125,7 @@ impl Chart {
             better: None,
             lines: Vec::new(),
             guides: Vec::new(),
+            notes: Vec::new(),
             series: Vec::new(),
         }
     }
@@ -158,11 +161,26 @@ impl Chart {
     }
 
     /// A measured method.
-    pub fn line(mut self, method: impl Into<Method>, series: &Series) -> Self {
-        let method = method.into();
+    pub fn line(self, method: impl Into<Method>, series: &Series) -> Self {
+        self.measured(method.into(), series, Line::sorted)
+    }
+    /// A measured method whose points follow each other in the order given, wherever that leads.
+    pub fn steps(self, method: impl Into<Method>, series: &Series) -> Self {
+        self.measured(method.into(), series, |line| line)
+    }
+    /// A measured method whose points have no order: dots that are not joined.
+    pub fn scatter(self, method: impl Into<Method>, series: &Series) -> Self {
+        self.measured(method.into(), series, |line| Line { shape: Shape::Dots, ..line })
+    }
+    fn measured(mut self, method: Method, series: &Series, finish: fn(Line) -> Line) -> Self {
         let (from, to) = self.sources;
-        self.lines.push(Line::measured(&method, series, from, to, self.next_style()));
+        self.lines.push(finish(Line::measured(&method, series, from, to, self.next_style())));
         self.series.push((method, series.clone()));
+        self
+    }
+    /// Words beside a place of the plot.
+    pub fn note(mut self, x: f64, y: f64, words: &str) -> Self {
+        self.notes.push((x, y, words.to_string()));
         self
     }
     /// Plain points, joined by a line with marks.

@@ -45,19 +45,22 @@ fn width(name: &str) -> f64 {
 
 /// Writes the names of lines and guides.
 pub fn draw(plot: &Plot, drawing: &mut Drawing, placer: &mut Placer, front: &[DVec2]) {
-    for line in &plot.chart.lines {
+    let (dots, joined): (Vec<&Line>, Vec<&Line>) =
+        plot.chart.lines.iter().partition(|l| l.shape == Shape::Dots);
+    for line in joined {
         let points = plot.points_of(line);
-        if line.shape == Shape::Dots {
-            points.iter().for_each(|p| placer.keep_clear(Rect { min: *p - 3.0, max: *p + 3.0 }));
-        } else {
-            placer.avoid(&points, line.look.width + 4.0);
-        }
+        placer.avoid(&points, line.look.width + 4.0);
         if line.shape == Shape::Marked {
             points.iter().for_each(|p| placer.keep_clear(Rect { min: *p - 6.0, max: *p + 6.0 }));
         }
     }
     for guide in &plot.chart.guides {
         placer.avoid(&plot.guide_points(guide.kind), 2.0);
+    }
+    // A note belongs close to its place, even among dots.
+    notes(plot, drawing, placer);
+    for p in dots.into_iter().flat_map(|line| plot.points_of(line)) {
+        placer.keep_clear(Rect { min: p - 3.0, max: p + 3.0 });
     }
     guide_names(plot, drawing, placer);
     line_names(plot, drawing, placer);
@@ -162,6 +165,34 @@ fn among(plot: &Plot, drawing: &mut Drawing, placer: &mut Placer, line: &Line) {
     }
     let at = dvec2(place.min.x + 2.0, place.center().y + SIZE * 0.35);
     drawing.text(Text::new(at, &line.name, SIZE, Ink::Label(line.look.hue)).halo(3.5));
+}
+
+/// Words beside single places, as near as there is room; none outside the axes.
+fn notes(plot: &Plot, drawing: &mut Drawing, placer: &mut Placer) {
+    let size = SIZE * 0.85;
+    for (x, y, words) in &plot.chart.notes {
+        let Some(p) = plot.at(*x, *y) else { continue };
+        let half = dvec2(font::width(words, Face::Regular, size) / 2.0, size / 2.0);
+        let mut candidates = Vec::new();
+        for (penalty, distance) in [(0.0, 9.0), (10.0, 16.0), (30.0, 28.0), (60.0, 44.0), (90.0, 64.0)] {
+            for step in 0..16 {
+                let way = DVec2::from_angle(std::f64::consts::TAU * f64::from(step) / 16.0);
+                let center = p + way * (half + distance);
+                let place = Rect { min: center - half, max: center + half };
+                let beyond = if plot.area.covers(&place) { 0.0 } else { 400.0 };
+                candidates.push(Candidate { place, penalty: penalty + beyond });
+            }
+        }
+        let Some((best, _)) = placer.place(&candidates) else { continue };
+        let place = candidates[best].place;
+        let near = p.clamp(place.min, place.max);
+        if p.distance(near) > 16.0 {
+            let ahead = (near - p).normalize_or_zero();
+            drawing.line(p + ahead * 8.0, near - ahead * 2.0, Stroke::new(Ink::Muted, 1.1).faint(0.75));
+        }
+        let at = dvec2(place.min.x, place.center().y + size * 0.35);
+        drawing.text(Text::new(at, words, size, Ink::Text).halo(3.0));
+    }
 }
 
 /// Names along the guides, on the first free stretch.
