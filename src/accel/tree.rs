@@ -117,21 +117,23 @@ impl Tree {
                 if met != 0 {
                     let first = met.trailing_zeros() as usize;
                     met &= met - 1;
-                    if met == 0 {
-                        next = node.child[first];
-                        continue;
-                    }
+                    // The one to go on with does not wait.
+                    let mut on = waiting(entries.near[first], node.child[first]);
                     let base = stack.len();
-                    stack.push(waiting(entries.near[first], node.child[first]));
                     while met != 0 {
                         let i = met.trailing_zeros() as usize;
                         met &= met - 1;
                         let entry = waiting(entries.near[i], node.child[i]);
-                        stack.push(entry);
                         if O::NEAREST_FIRST {
-                            sink(&mut stack[base..], entry);
+                            stack.push(on.max(entry));
+                            on = on.min(entry);
+                            sink(&mut stack[base..]);
+                        } else {
+                            stack.push(std::mem::replace(&mut on, entry));
                         }
                     }
+                    next = on as u32;
+                    continue;
                 }
             } else {
                 limit = leaf(next & !LEAF, limit);
@@ -195,8 +197,9 @@ fn waiting(near: f32, child: u32) -> u64 {
 
 /// Moves the last entry down among the others, which are in descending order.
 #[inline(always)]
-fn sink(entries: &mut [u64], last: u64) {
+fn sink(entries: &mut [u64]) {
     let mut at = entries.len() - 1;
+    let last = entries[at];
     while at > 0 && entries[at - 1] < last {
         entries[at] = entries[at - 1];
         at -= 1;

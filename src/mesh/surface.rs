@@ -33,7 +33,8 @@ pub struct Mesh {
     pub(super) bvh: Facets,
     /// The triangles with everything else: face `i` is triangle `i`.
     pub(super) triangles: Polygons,
-    tangents: Tangents,
+    /// Nothing without texture coordinates.
+    tangents: Option<Tangents>,
     /// For each triangle the face of the polygons that it comes from.
     origin: Vec<u32>,
     pub(super) bounds: Aabb,
@@ -71,7 +72,7 @@ impl Mesh {
         let corners: Vec<[DVec3; 3]> = (0..triangles.len()).map(|f| corners(&triangles, f)).collect();
         let bounds = Aabb::of_points(corners.iter().flatten().copied());
         let bvh = Facets::build(corners.len(), |face| corners[face as usize]);
-        let tangents = Tangents::of(&triangles);
+        let tangents = (!triangles.uvs.values.is_empty()).then(|| Tangents::of(&triangles));
         Ok(Mesh { corners, bvh, triangles, tangents, origin, bounds, topology, repairs })
     }
 
@@ -144,16 +145,15 @@ impl Mesh {
 
     fn tangent(&self, face: u32, b: [f64; 3], ng: DVec3) -> Option<DVec3> {
         self.values(&self.triangles.uvs, face)?;
-        let t = |k: usize| {
-            self.tangents.values[self.tangents.corners[3 * face as usize + k] as usize].direction * b[k]
-        };
+        let tangents = self.tangents.as_ref()?;
+        let t = |k: usize| tangents.values[tangents.corners[3 * face as usize + k] as usize].direction * b[k];
         let along = t(0) + t(1) + t(2);
         crate::frame::unit(along - ng * along.dot(ng))
     }
 
     /// +1, or −1 where the texture of a triangle is mirrored; see [`Tangents`].
     pub fn handedness(&self, face: usize) -> f64 {
-        self.tangents.values[self.tangents.corners[3 * face] as usize].handedness
+        self.tangents.as_ref().map_or(1.0, |t| t.values[t.corners[3 * face] as usize].handedness)
     }
 
     /// Weights of a triangle's corners at a point in its plane.
@@ -198,7 +198,8 @@ fn with_area(cut: &Polygons, origin: &[u32]) -> (Polygons, Vec<u32>, usize) {
     let mut out = Polygons::of_points(cut.points.clone());
     (out.uvs.values, out.normals.values) = (cut.uvs.values.clone(), cut.normals.values.clone());
     for &(_, f) in &order {
-        let face: Vec<Corner> = cut.range(f).map(|c| cut.corner(c)).collect();
+        let start = cut.range(f).start;
+        let face: [Corner; 3] = [start, start + 1, start + 2].map(|c| cut.corner(c));
         out.push(&face, cut.parts[f]);
     }
     let origin = order.iter().map(|&(_, f)| origin[f]).collect();
@@ -213,15 +214,25 @@ fn along_curve(bounds: &Aabb, [a, b, c]: [DVec3; 3]) -> u64 {
         let share = middle[axis] * 0.5 / size[axis];
         if share.is_finite() { (share * 2_097_151.0) as u64 } else { 0 }
     };
-    let spread = |x: u64| (0..21).fold(0, |sum, bit| sum | (x >> bit & 1) << (3 * bit));
+    // Bits in halves of halves, moved apart until two zeros stand between each and the next.
+    const APART: [(u32, u64); 5] = [
+        (32, 0x001f_0000_0000_ffff),
+        (16, 0x001f_0000_ff00_00ff),
+        (8, 0x100f_00f0_0f00_f00f),
+        (4, 0x10c3_0c30_c30c_30c3),
+        (2, 0x1249_2492_4924_9249),
+    ];
+    let spread = |x: u64| APART.iter().fold(x, |x, (by, mask)| (x | x << by) & mask);
     spread(step(0)) | spread(step(1)) << 1 | spread(step(2)) << 2
 }
 
 impl Shape for Mesh {
     #[inline]
     fn nearest(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Crossing> {
-        let prepared = PreparedRay::new(ray);
-        let test = |face, limit| self.meet(&prepared, face, t_min, limit);
+        let mut prepared = None;
+        let test = |face, limit| {
+            self.meet(prepared.get_or_insert_with(|| PreparedRay::new(ray)), face, t_min, limit)
+        };
         Some(self.bvh.nearest(ray, t_min, t_max, &mut Silent, test)?.1)
     }
 
@@ -269,8 +280,10 @@ impl Shape for Mesh {
     }
 
     fn blocks(&self, ray: &Ray, t_max: f64) -> bool {
-        let prepared = PreparedRay::new(ray);
-        let blocks = |face| self.meet(&prepared, face, 0.0, t_max).is_some();
+        let mut prepared = None;
+        let blocks = |face| {
+            self.meet(prepared.get_or_insert_with(|| PreparedRay::new(ray)), face, 0.0, t_max).is_some()
+        };
         self.bvh.any(ray, 0.0, t_max, &mut Silent, blocks).is_some()
     }
 

@@ -46,15 +46,21 @@ impl Tangents {
             let along = along_u(mesh, face);
             undetermined += usize::from(along.is_none());
             let (along, handedness) = along.unwrap_or((DVec3::ZERO, 1.0));
+            // Corners without a normal belong to their face alone, and have one tangent.
+            let mut of_face = None;
             for c in mesh.range(face) {
-                let n = mesh.normals.get(c).unwrap_or(flat);
-                // Corners without a normal belong to their face alone.
-                let owner = if mesh.normals.get(c).is_some() { NONE } else { face as u32 };
-                let place = *sums.entry((mesh.corner(c), owner, handedness < 0.0)).or_insert_with(|| {
-                    found.push((DVec3::ZERO, n, handedness));
+                let mut new = |sum, n| {
+                    found.push((sum, n, handedness));
                     found.len() - 1
-                });
-                found[place].0 += along;
+                };
+                let place = if let Some(n) = mesh.normals.get(c) {
+                    let key = (mesh.corner(c), handedness < 0.0);
+                    let place = *sums.entry(key).or_insert_with(|| new(DVec3::ZERO, n));
+                    found[place].0 += along;
+                    place
+                } else {
+                    *of_face.get_or_insert_with(|| new(along, flat))
+                };
                 corners[c] = place as u32;
             }
         }
