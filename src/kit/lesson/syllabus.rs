@@ -133,7 +133,7 @@ pub const SYLLABUS: &[Entry] = &[
         number: 14,
         name: "colour",
         question: "What do three numbers keep of a colour, and what does each shortcut lose?",
-        chapter: "Light",
+        chapter: "Light and matter",
         introduces: &[],
         builds_on: &[(3, "a first picture: radiance in three channels")],
     },
