@@ -2,7 +2,7 @@
 
 mod local;
 
-pub use local::{Local, Stage};
+pub use local::{Local, Memory, Stage};
 
 use crate::color::Rgb;
 use crate::ray::{Ray, Trace};

@@ -11,6 +11,8 @@ use std::collections::BTreeSet;
 const VIEW: (f64, f64) = (35.0, 20.0);
 /// How far a ray that meets nothing is drawn [share of the scene's extent].
 const BEYOND: f64 = 0.3;
+/// Rays to lights farther than this [extents] are drawn as if they met nothing: the scene would shrink to a dot.
+const FAR: f64 = 10.0;
 
 /// Draws the rays of one pixel.
 ///
@@ -44,7 +46,7 @@ pub fn draw(scene: &Scene, rays: &[Traced], title: &str) -> Figure {
     for ray in rays {
         visit(ray, &mut |r| {
             let drawn = std::mem::replace(&mut diagram, Diagram::fitted());
-            diagram = one_ray(drawn, &space, scene, r, extent * BEYOND);
+            diagram = one_ray(drawn, &space, scene, r, extent);
         });
     }
     Figure::from(diagram.alt(&format!("{title}: {} rays from the camera, and what they caused", rays.len())))
@@ -57,7 +59,7 @@ fn visit(ray: &Traced, see: &mut impl FnMut(&Traced)) {
     }
 }
 
-fn one_ray(diagram: Diagram, space: &Space, scene: &Scene, traced: &Traced, beyond: f64) -> Diagram {
+fn one_ray(diagram: Diagram, space: &Space, scene: &Scene, traced: &Traced, extent: f64) -> Diagram {
     let light = match (traced.kind, traced.blocker) {
         (RayKind::Shadow, None) => Light::Shadow,
         (RayKind::Shadow, Some(_)) => Light::Other,
@@ -69,8 +71,10 @@ fn one_ray(diagram: Diagram, space: &Space, scene: &Scene, traced: &Traced, beyo
     let end = match (&traced.hit, traced.blocker.and_then(blocked_at)) {
         (Some((_, hit)), _) => hit.point,
         (None, Some(t)) => traced.ray.at(t),
-        (None, None) if traced.t_max.is_finite() => traced.ray.at(traced.t_max),
-        (None, None) => traced.ray.origin + traced.ray.direction.normalize_or_zero() * beyond,
+        (None, None) if traced.t_max * traced.ray.direction.length() <= FAR * extent => {
+            traced.ray.at(traced.t_max)
+        }
+        (None, None) => traced.ray.origin + traced.ray.direction.normalize_or_zero() * (extent * BEYOND),
     };
     let [a, b] = [traced.ray.origin, end].map(|p| space.at(p));
     if a.distance(b) > 0.0 { diagram.ray(light, a, b) } else { diagram }

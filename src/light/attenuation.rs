@@ -60,7 +60,8 @@ impl Attenuation {
     /// The factor at distance `d`.
     ///
     /// - Domain: `d ≥ 0`, also infinite. Laws that diverge at 0 give `+∞` there.
-    /// - Accuracy: relative error ≤ `num::gamma(6)`: sums of positive terms.
+    /// - Accuracy: relative error ≤ `num::gamma(6)`: sums of positive terms. A square that leaves the range of numbers,
+    ///   nearer than 10⁻¹⁵⁴ or farther than 10¹⁵⁴, gives `+∞` or 0.
     /// - NaN in, NaN out.
     #[inline]
     pub fn factor(self, d: f64) -> f64 {

@@ -16,6 +16,7 @@
 //! | ours | radiance `L` [W m⁻² sr⁻¹] of a surface | `∫ L cos θₗ / d² dA` | [`Emission::Diffuse`] |
 
 mod area;
+pub mod as_printed;
 mod attenuation;
 mod emitter;
 mod irradiance;

@@ -49,14 +49,33 @@ impl PointLight {
     }
 
     /// What arrives at `p`; a place in the light itself has no direction to it, and `wi` is NaN there.
+    ///
+    /// - Domain: a finite difference of the two places. One whose powers might leave the range of numbers is counted along a unit vector,
+    ///   so that a light at 10³⁰⁰ m shines as parallel light does.
     #[inline]
     pub fn arriving(&self, p: DVec3) -> Arrival {
         let to = self.position - p;
         let distance = to.length();
+        if !(MODERATE.0..=MODERATE.1).contains(&distance) {
+            return self.arriving_from_extremes(to);
+        }
         let irradiance = self.strength * self.attenuation.factor(distance);
         Arrival { to, wi: to / distance, t_max: 1.0, irradiance }
     }
+
+    #[cold]
+    fn arriving_from_extremes(&self, to: DVec3) -> Arrival {
+        let Some(wi) = unit(to) else {
+            let irradiance = self.strength * self.attenuation.factor(to.length());
+            return Arrival { to, wi: DVec3::NAN, t_max: 1.0, irradiance };
+        };
+        let distance = to.abs().max_element() / wi.abs().max_element();
+        Arrival { to: wi, wi, t_max: distance, irradiance: self.strength * self.attenuation.factor(distance) }
+    }
 }
+
+/// Lengths [m] of which shapes may take the fourth power, as a torus does, and still have 10⁶⁰ to spare: 2^∓200.
+const MODERATE: (f64, f64) = (6.223_015_277_861_142e-61, 1.606_938_044_258_990_3e60);
 
 /// A point light in a shade that lets a cone of light out.
 ///
@@ -66,6 +85,8 @@ impl PointLight {
 ///
 /// `θ` is the angle with the axis: all of it up to `θ_full`, none from `θ_edge` on.
 ///
+/// - Accuracy: two unit vectors leave an angle uncertain by some roundings δ ≤ 13 u, and so a share by
+///   `3δ/(θ_edge − θ_full)` at most. From the cosines it would be about `u/(θ_edge² − θ_full²)`: nothing is left at 10⁻⁸.
 /// - Source: the smooth step is that of Pharr, Jakob & Humphreys, *Physically Based Rendering* (2023) §12.2.2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpotLight {
@@ -103,6 +124,17 @@ impl SpotLight {
 
     pub fn axis(&self) -> DVec3 {
         self.axis
+    }
+
+    /// Solid angle [sr] that all of the light would fill: `∫ share dω`, so that the flux is the intensity times this.
+    ///
+    /// ```text
+    /// Ω = 2π ∫ share d(1 − cos θ) = π ((1 − cos θ_full) + (1 − cos θ_edge))
+    /// ```
+    ///
+    /// The smooth step is one half on average. From no cone at all, 0, to the whole sphere, 4π.
+    pub fn solid_angle(&self) -> f64 {
+        PI * (self.full + self.edge)
     }
 
     /// Share of the point's light that is let out in a direction (unit).

@@ -55,6 +55,17 @@ impl Object {
         &*self.shape
     }
 
+    /// Does it stand between the ends of a segment, `0 < t < t_max`? A shape that is costly to test is asked only
+    /// if the segment meets its bounds.
+    #[inline]
+    pub fn blocks<T: Trace>(&self, segment: &Ray, t_max: f64, trace: &mut T) -> bool {
+        if self.guarded && self.is_passed_by(segment, segment.direction.recip(), t_max) {
+            return false;
+        }
+        trace.count(Work::ShapeTest, 1);
+        self.shape.blocks(segment, t_max)
+    }
+
     pub fn bounds(&self) -> &Aabb {
         &self.bounds
     }

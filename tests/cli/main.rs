@@ -5,6 +5,7 @@ mod check;
 mod compare;
 mod csg;
 mod interrupt;
+mod lights;
 mod probe;
 mod quality;
 mod render;

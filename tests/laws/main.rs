@@ -21,6 +21,8 @@ mod highlights;
 mod julia;
 mod leaving;
 mod lessons;
+mod light_files;
+mod lights;
 mod local;
 mod measure;
 mod menger;

@@ -10,7 +10,7 @@ use glam::DVec3;
 
 impl<T: Trace> Lighting<'_, T> {
     /// Radiance reflected at `place` of the light numbered `index`.
-    pub(super) fn from_area(&mut self, index: usize, light: &AreaLight, place: &Place) -> Rgb {
+    pub(super) fn lit_by_area(&mut self, index: usize, light: &AreaLight, place: &Place) -> Rgb {
         let Scratch { fan, lights, weights } = &mut *self.scratch;
         let LightScratch { ends, cells, .. } = &mut lights[index];
         let mut solid_angle = 0.0;

@@ -120,9 +120,9 @@ pub const MATERIAL: Rule = Rule {
         Param::new(
             "FacetIndex",
             "n k",
-            Kind::Numbers { count: 2, domain: Domain::NotNegative },
+            Kind::Numbers { count: 2, domain: Domain::Closed(0.0, 1.0e6) },
             Default::Absent,
-            "complex index of refraction of the small mirrors, exact Fresnel; k is 0 for what is clear",
+            "complex index of refraction of the small mirrors, exact Fresnel; n at least 10⁻⁶, k is 0 for what is clear",
         )
         .extension(),
     ],

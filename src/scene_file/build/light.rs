@@ -52,7 +52,7 @@ fn contradiction(block: &Block) -> Option<Diagnostic> {
     measures.sort_by_key(|e| e.keyword.start);
     let name = block.rule.name;
     if let [first, second, ..] = measures[..] {
-        let (a, b) = if first.param.name == "Color" { (first, second) } else { (second, first) };
+        let (a, b) = if second.param.name == "Color" { (second, first) } else { (first, second) };
         let message = format!("`{name}` has both `{}` and `{}`", a.param.name, b.param.name);
         return Some(
             Diagnostic::error(second.keyword.clone(), message)
@@ -73,7 +73,9 @@ fn contradiction(block: &Block) -> Option<Diagnostic> {
         return clash(attenuation, message, "`Color` with it");
     }
     if let (Some(cap), None) = (block.entry("AttenuationCap"), block.entry("Attenuation")) {
-        return clash(cap, "`AttenuationCap` caps nothing".into(), "an `Attenuation`");
+        let wanted =
+            if radiometric.is_some() { "`Color` and an `Attenuation` with it" } else { "an `Attenuation`" };
+        return clash(cap, "`AttenuationCap` caps nothing".into(), wanted);
     }
     let by_angle = block.entry("Sampling").filter(|_| block.word("Sampling") == Some("solid-angle"));
     if let (Some(sampling), None) = (by_angle, radiometric) {
@@ -85,6 +87,9 @@ fn contradiction(block: &Block) -> Option<Diagnostic> {
     {
         let d = Diagnostic::error(block.span("Attenuation"), LightError::NoAttenuation.to_string());
         return Some(d.expected("3 numbers ≥ 0, one of them above 0").found("three times 0"));
+    }
+    if block.is_broken() {
+        return None; // what cannot be read is not to be compared
     }
     let (full, edge) = (block.entry("FullAngle")?, block.numbers::<1>("Angle")[0]);
     let [found] = block.numbers("FullAngle");

@@ -39,10 +39,23 @@ pub fn material(block: &Block, log: &mut Vec<Diagnostic>) -> Material {
     if !block.is_broken() && model != "lambert" {
         match lobes(block, model, &material) {
             Ok(lobes) => material.model = Some(lobes),
-            Err(error) => log.push(Diagnostic::error(block.span("FacetIndex"), error.to_string())),
+            Err(error) => log.push(refused(block, &error)),
         }
     }
     material
+}
+
+/// Metals have indices from 0.03 on; the powers of those below this leave the range of numbers.
+const LEAST_INDEX: f64 = 1.0e-6;
+
+/// The format's ranges are those of the models, but for an index of refraction of 0.
+fn refused(block: &Block, error: &ParameterError) -> Diagnostic {
+    let [n, k] = block.numbers("FacetIndex");
+    if block.entry("FacetIndex").is_none() {
+        return Diagnostic::error(block.keyword.clone(), format!("this is no material: {error}"));
+    }
+    let d = Diagnostic::error(block.span("FacetIndex"), "`FacetIndex` has no index of refraction");
+    d.expected("n and k from 0 to 1000000, and n at least 0.000001").found(format!("n = {n} and k = {k}"))
 }
 
 fn lobes(block: &Block, model: &str, m: &Material) -> Result<Lobes, ParameterError> {
@@ -84,7 +97,7 @@ fn rough_and_matt(diffuse: Rgb, sigma: f64, form: OrenNayarForm) -> Result<Lobes
         return Lobes::new([(diffuse, OrenNayar::new(1.0, sigma, form)?.into())]);
     }
     let channel = |i: usize| -> Result<(Rgb, Model), ParameterError> {
-        Ok((DVec3::from(DVec3::AXES[i]), OrenNayar::new(diffuse[i], sigma, form)?.into()))
+        Ok((DVec3::AXES[i], OrenNayar::new(diffuse[i], sigma, form)?.into()))
     };
     Lobes::new([channel(0)?, channel(1)?, channel(2)?])
 }
@@ -105,6 +118,10 @@ fn metal(block: &Block, m: &Material) -> Result<Lobes, ParameterError> {
         return Lobes::new([matt].into_iter().chain(Lobes::schlick(m.specular, mirrors)?));
     }
     let [eta, k] = block.numbers("FacetIndex");
+    if eta < LEAST_INDEX {
+        let (name, expected) = ("n", "an index of refraction");
+        return Err(ParameterError { name, expected, found: eta });
+    }
     let tint = if block.entry("SpecularColor").is_some() { m.specular } else { Rgb::ONE };
     Lobes::new([matt, (tint, mirrors(Fresnel::Conductor { eta, k })?)])
 }

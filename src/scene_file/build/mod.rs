@@ -120,7 +120,7 @@ fn darkness(scene: &Scene, blocks: &[Block]) -> Option<Diagnostic> {
     }
     let first = of(blocks, |r| r == Role::Object).next()?;
     let d = Diagnostic::warning(first.keyword.clone(), "nothing is lit: the scene has no light");
-    Some(d.help("add a `PointLight` or an `AreaLight`"))
+    Some(d.help("add a `PointLight`, a `DirectionalLight` or an `AreaLight`"))
 }
 
 fn natural(n: i64) -> u32 {
