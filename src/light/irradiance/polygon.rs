@@ -1,7 +1,7 @@
 //! A flat polygon: Lambert's formula, without its cancellation.
 
 use super::touching::{Standing, standing};
-use super::{cross, height, length, rounded, seen_from, square};
+use super::{cross, height, length, rounded, seen_from};
 use crate::num::certified::power_of_two_below;
 use crate::num::double_double::DoubleDouble;
 use crate::num::real::{Triple, dot};
@@ -18,9 +18,9 @@ use std::f64::consts::PI;
 /// ```
 ///
 /// over the edges of what is above the horizon. The terms of (1) are as large as the polygon is wide, `δ`, and sum to
-/// `δ²`: a far lamp loses the digits `u/δ`. In (2), `f₀ = 1/|r₀|²` takes the sum of the cross products first, with 106 bits, and
-/// `f − f₀`, itself of order `δ`, is made from differences of squares and from the series of `θ/sin θ − 1`:
-/// no term is larger than `δ²`. It is used where the polygon lies within `|r₀|/4` of its first corner.
+/// `δ²`: a far lamp loses the digits `u/δ`. In (2), `f₀ = 1/|r₀|²` takes the sum of the cross products, an area that the places
+/// `q = r − r₀` on the polygon make alone, and `f − f₀`, itself of order `δ`, is made from `|r|² − |r₀|² = q·(q + 2r₀)` and from the series
+/// of `θ/sin θ − 1`: no term is larger than `δ²`. It is used where the polygon lies within `|r₀|/4` of its first corner.
 ///
 /// - Domain: finite vertices in order, either way round, of a convex polygon; `n` of any length but 0 counts as normalised.
 ///   Fewer than three vertices, no area, or `n = 0`: 0. In the polygon's plane, beside it: 0, exactly. On it, the limit
@@ -45,7 +45,7 @@ pub fn polygon_irradiance(vertices: &[DVec3], p: DVec3, n: DVec3) -> f64 {
         Standing::Beside(side) => side,
         Standing::Within(irradiance) => return irradiance,
     };
-    let corner = |v: DVec3| Corner::new(seen_from(v, p, unit), n);
+    let corner = |v: DVec3| Corner::new(seen_from(v, p, unit), rounded(seen_from(v, vertices[0], unit)), n);
     let first = corner(vertices[0]);
     let mut edges = Edges::new(vertices, &first, unit, n, side);
     let mut a = first;
@@ -66,27 +66,22 @@ pub fn polygon_irradiance(vertices: &[DVec3], p: DVec3, n: DVec3) -> f64 {
 #[derive(Clone, Copy)]
 struct Corner {
     r: Triple<DoubleDouble>,
+    /// From the first corner of the polygon.
+    q: DVec3,
     /// Above the horizon, times `|n|`.
     height: DoubleDouble,
-    square: DoubleDouble,
-    distance: f64,
 }
 
 impl Corner {
-    fn new(r: Triple<DoubleDouble>, n: DVec3) -> Self {
-        Self::at_height(r, height(n, r))
-    }
-
-    fn at_height(r: Triple<DoubleDouble>, height: DoubleDouble) -> Self {
-        let square = square(r);
-        Corner { r, height, square, distance: square.value().sqrt() }
+    fn new(r: Triple<DoubleDouble>, q: DVec3, n: DVec3) -> Self {
+        Corner { r, q, height: height(n, r) }
     }
 
     /// Where the edge between a corner above the horizon and one below it crosses the horizon.
     fn between(a: &Self, b: &Self) -> Self {
         let t = a.height / (a.height - b.height);
         let r = [0, 1, 2].map(|i| a.r[i] + (b.r[i] - a.r[i]) * t);
-        Self::at_height(r, DoubleDouble::ZERO)
+        Corner { r, q: a.q + (b.q - a.q) * t.value(), height: DoubleDouble::ZERO }
     }
 }
 
@@ -95,14 +90,14 @@ struct Edges {
     n: DVec3,
     /// 1 if the corners run to the left, seen from `p`, else −1.
     side: f64,
-    /// `|r₀|²` of a polygon that is small as seen from here; `None` sums by (1).
-    reference: Option<(DoubleDouble, f64)>,
+    /// `r₀` of a polygon that is small as seen from here; `None` sums by (1).
+    reference: Option<DVec3>,
     start: Option<Corner>,
     /// Is anything above the horizon, and not just in it?
     rises: bool,
     last: Option<Corner>,
-    /// `n·Σ(r × r′)`.
-    first_order: DoubleDouble,
+    /// `n·Σ(r × r′) = n·Σ(q × q′)`.
+    moments: f64,
     rest: f64,
 }
 
@@ -111,18 +106,9 @@ impl Edges {
         // What is clipped lies in the same ball.
         let far = |v: &DVec3| (*v / unit - vertices[0] / unit).length_squared();
         let widest = vertices.iter().map(far).fold(0.0, f64::max);
-        let small = 16.0 * widest <= first.square.high;
-        let reference = small.then_some((first.square, first.distance));
-        Edges {
-            n,
-            side,
-            reference,
-            start: None,
-            rises: false,
-            last: None,
-            first_order: DoubleDouble::ZERO,
-            rest: 0.0,
-        }
+        let r = rounded(first.r);
+        let reference = (16.0 * widest <= r.length_squared()).then_some(r);
+        Edges { n, side, reference, start: None, rises: false, last: None, moments: 0.0, rest: 0.0 }
     }
 
     fn to(&mut self, corner: Corner) {
@@ -142,33 +128,44 @@ impl Edges {
             return 0.0;
         }
         match self.reference {
-            Some((square, _)) => self.first_order.value() / square.value() + self.rest,
+            Some(r) => self.moments / r.length_squared() + self.rest,
             None => self.rest,
         }
     }
 
     fn add(&mut self, a: &Corner, b: &Corner) {
+        match self.reference {
+            Some(r) => self.add_to_second_order(a, b, r),
+            None => self.add_by_lambert(a, b),
+        }
+    }
+
+    /// One term of (1).
+    fn add_by_lambert(&mut self, a: &Corner, b: &Corner) {
         let c = cross(a.r, b.r);
         let sine = length(rounded(c)); // times |r||r′|
         if sine == 0.0 {
             return;
         }
-        let moment = height(self.n, c);
-        let Some((square, distance)) = self.reference else {
-            // An edge in the horizon has the normal n itself, also where it all but passes through p.
-            let in_horizon = a.height == DoubleDouble::ZERO && b.height == DoubleDouble::ZERO;
-            let facing = if in_horizon { self.side * self.n.length() } else { moment.value() / sine };
-            self.rest += sine.atan2(dot(a.r, b.r).value()) * facing;
-            return;
-        };
-        self.first_order = self.first_order + moment;
-        // |r||r′| − |r₀|², from differences of squares.
-        let longer = |c: &Corner| (c.square - square).value() / (c.distance + distance);
-        let area = a.distance * b.distance;
-        let excess = longer(a) * b.distance + distance * longer(b);
-        let square = square.value();
-        let change = (arc_over_sine_excess(sine / area) * square - excess) / (area * square);
-        self.rest += change * moment.value();
+        // An edge in the horizon has the normal n itself, also where it all but passes through p.
+        let in_horizon = a.height == DoubleDouble::ZERO && b.height == DoubleDouble::ZERO;
+        let facing = if in_horizon { self.side * self.n.length() } else { height(self.n, c).value() / sine };
+        self.rest += sine.atan2(dot(a.r, b.r).value()) * facing;
+    }
+
+    /// One term of each sum of (2).
+    fn add_to_second_order(&mut self, a: &Corner, b: &Corner, first: DVec3) {
+        let (ra, rb) = (rounded(a.r), rounded(b.r));
+        let c = ra.cross(b.q - a.q);
+        let (square, distance) = (first.length_squared(), first.length());
+        let (da, db) = (ra.length(), rb.length());
+        // |r| − |r₀|
+        let longer = |q: DVec3, d: f64| q.dot(q + 2.0 * first) / (d + distance);
+        let excess = longer(a.q, da) * db + distance * longer(b.q, db);
+        let area = da * db;
+        let change = (arc_over_sine_excess(c.length() / area) * square - excess) / (area * square);
+        self.moments += self.n.dot(a.q.cross(b.q));
+        self.rest += change * self.n.dot(c);
     }
 }
 

@@ -1,6 +1,6 @@
 //! A sphere: closed forms above, across and below the horizon.
 
-use super::{height, seen_from, square};
+use super::{height, rounded, seen_from, square};
 use crate::num::certified::power_of_two_below;
 use crate::num::double_double::DoubleDouble;
 use glam::DVec3;
@@ -34,7 +34,12 @@ pub fn sphere_irradiance(center: DVec3, radius: f64, p: DVec3, n: DVec3) -> f64 
     let unit = power_of_two_below(center.abs().max(p.abs()).max_element().max(radius));
     let n = n / power_of_two_below(n.abs().max_element());
     let d = seen_from(center, p, unit);
-    let radius = radius / unit;
+    // Both may be tiny next to the coordinates.
+    let larger = power_of_two_below(rounded(d).abs().max_element().max(radius / unit));
+    let (d, radius) = (d.map(|x| x.shift(1.0 / larger)), radius / unit / larger);
+    if rounded(d) == DVec3::ZERO {
+        return PI; // the centre, even of a radius that has underflowed
+    }
     let square = square(d);
     let outside = (square - DoubleDouble::of(radius).square()).value();
     if outside < 0.0 {

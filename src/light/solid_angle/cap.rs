@@ -92,7 +92,7 @@ impl SphericalCap {
     #[inline]
     pub fn point(&self, u: DVec2) -> DVec3 {
         let Some(Cone { sin, cos, versine }) = self.cone else {
-            return self.center + self.from_inside(uniform_sphere(u)) * self.radius;
+            return self.center + self.exit_along(uniform_sphere(u)) * self.radius;
         };
         let (h, wide) = (u.x * versine, 1.0 + cos);
         let q = (u.x * (2.0 - h) / wide).sqrt();
@@ -107,7 +107,7 @@ impl SphericalCap {
     }
 
     /// The unit vector from the centre to where `w`, from a viewer inside, meets the sphere.
-    fn from_inside(&self, w: DVec3) -> DVec3 {
+    fn exit_along(&self, w: DVec3) -> DVec3 {
         if self.radius == 0.0 {
             return DVec3::ZERO;
         }

@@ -28,7 +28,8 @@ use glam::{DVec2, DVec3};
 ///
 /// - Accuracy: `Ω` relative, about `32 u |r|/z`. Places on the sides are relative to the sides, however small `Ω` is.
 /// - Source: Ureña, Fajardo & King, *An area-preserving parametrization for spherical rectangles*, EGSR (2013); (2) is its
-///   construction in half angles. `Ω` is the sum of two triangles by Van Oosterom & Strackee (1983).
+///   construction in half angles. Where the receiver is beside the rectangle in both
+///   directions, `Ω` is the sum of two triangles by Van Oosterom & Strackee (1983), else of two slices (1).
 #[derive(Clone, Copy, Debug)]
 pub struct SphericalRectangle {
     center: DVec3,
@@ -47,8 +48,8 @@ pub struct SphericalRectangle {
     sum: HalfAngle,
     /// `1/√A` and `1/√B`
     over: DVec2,
-    /// `(1 − q₀/A)(1 − q₀/B)`
-    start_product: f64,
+    /// `1 − q₀/A` and `1 − q₀/B`, where `x₀ ≥ 0`
+    start_beyond: DVec2,
 }
 
 /// Sine and cosine of half an angle in [−π, π].
@@ -68,6 +69,12 @@ impl HalfAngle {
         let smaller = y.abs() / (2.0 * length * larger);
         let (sin, cos) = if x > 0.0 { (smaller, larger) } else { (larger, smaller) };
         HalfAngle { sin: sin.copysign(y), cos }
+    }
+
+    /// The whole angle from `self` on to `end`, where the two lie on either side of 0.
+    fn to(self, end: HalfAngle) -> f64 {
+        let sin = end.sin * self.cos - self.sin * end.cos;
+        2.0 * sin.atan2(end.cos * self.cos + self.sin * end.sin)
     }
 
     /// `1 − sin² other / sin² self`, given `1 / sin self`.
@@ -101,22 +108,42 @@ impl SphericalRectangle {
         let distance = |x: f64, y: f64| (x * x + y * y + z * z).sqrt();
         let (r00, r01) = (distance(low.x, low.y), distance(low.x, high.y));
         let (r10, r11) = (distance(high.x, low.y), distance(high.x, high.y));
-        let z2 = z * z;
-        let (xx, yy) = (low.x * high.x + z2, low.y * high.y + z2);
-        let (d00, d01, d10) = (low.x * low.x, low.y * low.y, high.x * high.x);
-        let diagonal = low.x * high.x + yy;
-        // Two triangles on the diagonal 00–11.
-        let below = r00 * r10 * r11 + (xx + d01) * r11 + diagonal * r10 + (d10 + yy) * r00;
-        let above = r00 * r01 * r11 + (d00 + yy) * r11 + diagonal * r01 + (xx + high.y * high.y) * r00;
+        let (z2, gain) = (z * z, 4.0 * b * middle.y);
         let volume = 4.0 * a * b * z;
-        let gain = 4.0 * b * middle.y;
-        let whole = 2.0 * (volume * (below + above)).atan2(below * above - volume * volume);
-        let start_across = low.x * z * across(low.y, high.y, gain, d00 + z2, r00, r01);
-        let start = HalfAngle::of(z2 * r00 * r01 + d00 * low.y * high.y, start_across);
-        let difference = HalfAngle::of(yy, 2.0 * b * z);
+        // Between the axis and a line across the rectangle, (1); in x, then the same in y.
+        let slice = |x: f64, y: DVec2, gain: f64, r0: f64, r1: f64| {
+            let across = x * z * across(y.x, y.y, gain, x * x + z2, r0, r1);
+            HalfAngle::of(z2 * r0 * r1 + x * x * (y.x * y.y), across)
+        };
+        let in_y = DVec2::new(low.y, high.y);
+        let start = slice(low.x, in_y, gain, r00, r01);
+        let whole = if low.x < 0.0 {
+            start.to(slice(high.x, in_y, gain, r10, r11))
+        } else if low.y < 0.0 {
+            let (in_x, gain) = (DVec2::new(low.x, high.x), 4.0 * a * middle.x);
+            slice(low.y, in_x, gain, r00, r10).to(slice(high.y, in_x, gain, r01, r11))
+        } else {
+            // Two triangles on the diagonal 00–11, all cosines positive.
+            let (xx, yy) = (low.x * high.x + z2, low.y * high.y + z2);
+            let diagonal = low.x * high.x + yy;
+            let below =
+                r00 * r10 * r11 + (xx + low.y * low.y) * r11 + diagonal * r10 + (high.x * high.x + yy) * r00;
+            let above =
+                r00 * r01 * r11 + (low.x * low.x + yy) * r11 + diagonal * r01 + (xx + high.y * high.y) * r00;
+            2.0 * (volume * (below + above)).atan2(below * above - volume * volume)
+        };
+        let difference = HalfAngle::of(low.y * high.y + z2, 2.0 * b * z);
         let sum = HalfAngle::of(low.y * high.y - z2, 2.0 * middle.y * z);
         let over = DVec2::new(difference.sin, sum.sin).recip();
-        let start_product = difference.share_beyond(start, over.x) * sum.share_beyond(start, over.y);
+        let beyond_sum = sum.share_beyond(start, over.y);
+        // By (2), since x₀ knows how near q₀ is to A.
+        let beyond = if low.x > 0.0 {
+            let share = (start.sin * over.x) * over.y * start.cos * (z / low.x);
+            share * share / beyond_sum
+        } else {
+            1.0
+        };
+        let start_beyond = DVec2::new(beyond, beyond_sum);
         let solid_angle = if volume > 0.0 && whole > 0.0 { whole } else { 0.0 };
         SphericalRectangle {
             center,
@@ -132,7 +159,7 @@ impl SphericalRectangle {
             difference,
             sum,
             over,
-            start_product,
+            start_beyond,
         }
     }
 
@@ -155,7 +182,10 @@ impl SphericalRectangle {
         let u = DVec2::new(mirrored(self.half.x, u.x), mirrored(self.half.y, u.y));
         let (x, along_x) = self.across_width(u.x);
         let along_y = self.across_height(u.y, x * x + self.z * self.z);
-        let share = |along: f64, half: f64| (along / (2.0 * half.abs())).max(0.0).min(1.0); // NaN: 0
+        let share = |along: f64, half: f64| {
+            let share = along / (2.0 * half.abs());
+            if share > 0.0 { share.min(1.0) } else { 0.0 } // 0/0 where side and place are nothing
+        };
         DVec2::new(
             mirrored(self.half.x, share(along_x, self.half.x)),
             mirrored(self.half.y, share(along_y, self.half.y)),
@@ -171,19 +201,26 @@ impl SphericalRectangle {
             cos: (start.cos * cos - start.sin * sin).max(0.0),
         };
         let over = self.over;
-        let product = difference.share_beyond(half, over.x) * sum.share_beyond(half, over.y);
+        let beyond_sum = sum.share_beyond(half, over.y);
         let (low, high) = (self.low.x, self.high.x);
         if low < 0.0 {
-            let x = self.z * (half.sin * over.x * over.y) * half.cos / product.sqrt();
+            let beyond = difference.share_beyond(half, over.x);
+            let x = self.z * (half.sin * over.x * over.y) * half.cos / (beyond * beyond_sum).sqrt();
             let x = x.max(low).min(high);
             return (x, x - low);
         }
         let square = |x: f64| x * x;
         let step = sin * (start.cos - start.sin * (sin / (1.0 + cos)));
-        let growth = (step * over.x) * ((half.sin + start.sin) * over.x);
+        let growth = (step * over.x) * ((half.sin + start.sin) * over.x); // (q − q₀)/A
+        let beyond = if half.sin < half.cos {
+            self.start_beyond.x - growth
+        } else {
+            difference.share_beyond(half, over.x)
+        };
         let bracket = square(half.cos * start.cos)
             - square(difference.cos * sum.cos * (half.sin * over.x) * (start.sin * over.y));
-        let gain = square(self.z * over.y) * growth * bracket / (product * self.start_product);
+        let product = (beyond * beyond_sum) * (self.start_beyond.x * self.start_beyond.y);
+        let gain = square(self.z * over.y) * growth * bracket / product;
         let x = (low * low + gain).sqrt().max(low).min(high);
         (x, gain / (x + low))
     }

@@ -29,8 +29,10 @@ use glam::{DVec2, DVec3};
 pub struct SphericalTriangle {
     vertices: [DVec3; 3],
     solid_angle: f64,
-    /// `c₀₁`, `c₁₂`, `c₀₂`
-    cosines: [f64; 3],
+    /// `vᵢ`
+    towards: [DVec3; 3],
+    /// `1 + c₀₁`, `1 + c₁₂`, `1 + c₀₂`
+    sums: [f64; 3],
     /// `√(G² + D²)`
     modulus: f64,
     over_distance: [f64; 3],
@@ -50,13 +52,20 @@ impl SphericalTriangle {
         let nearest = (0..3).fold(0, |n, i| if distance[i] < distance[n] { i } else { n });
         let over_distance = distance.map(f64::recip);
         let v: [DVec3; 3] = std::array::from_fn(|i| r[i] * over_distance[i]);
-        let cosines = [v[0].dot(v[1]), v[1].dot(v[2]), v[0].dot(v[2])].map(|c| c.max(-1.0));
+        let sums = [v[0] + v[1], v[1] + v[2], v[0] + v[2]].map(|s| 0.5 * s.length_squared());
         let g = normal.dot(r[nearest]).abs() * over_distance[0] * over_distance[1] * over_distance[2];
-        let d = 1.0 + cosines[0] + cosines[1] + cosines[2];
+        let d = sums[0] + sums[1] + sums[2] - 2.0;
         let whole = 2.0 * g.atan2(d);
         // A corner at p makes NaN.
         let solid_angle = if g > 0.0 && whole.is_finite() { whole } else { 0.0 };
-        SphericalTriangle { vertices, solid_angle, cosines, modulus: (g * g + d * d).sqrt(), over_distance }
+        SphericalTriangle {
+            vertices,
+            solid_angle,
+            towards: v,
+            sums,
+            modulus: (g * g + d * d).sqrt(),
+            over_distance,
+        }
     }
 
     /// [sr], from 0 to 2π.
@@ -72,25 +81,30 @@ impl SphericalTriangle {
     }
 
     fn barycentric(&self, u: DVec2) -> DVec3 {
-        let [c01, c12, c02] = self.cosines;
-        let beta = (1.0 + c01) * (0.5 * u.x * self.solid_angle).sin();
+        let [s01, s12, s02] = self.sums;
+        let beta = s01 * (0.5 * u.x * self.solid_angle).sin();
         let gamma = self.modulus * (0.5 * (1.0 - u.x) * self.solid_angle).sin();
         // Only their ratio counts; it may not underflow.
         let sum = beta + gamma;
         if !(sum > 0.0) {
-            return uniform_triangle(u); // c₀₁ = −1: p is in an edge but for rounding
+            return uniform_triangle(u);
         }
         let (beta, gamma) = (beta / sum, gamma / sum);
         let x0 = gamma * (gamma + 2.0 * beta);
-        let x2 = 2.0 * beta * (gamma + beta * (1.0 + c02));
-        let square = gamma * gamma + 2.0 * beta * (1.0 + c02) * (gamma + beta);
+        let x2 = 2.0 * beta * (gamma + beta * s02);
+        let square = gamma * gamma + 2.0 * beta * s02 * (gamma + beta);
         let (x0, x2) = (x0 / square, x2 / square);
+        // 1 + v₁·x; where p is close to the triangle, the sum of the vectors knows what the cosine has lost.
+        let mut s1x = 1.0 + x0 * (s01 - 1.0) + x2 * (s12 - 1.0);
+        if s1x < 0.25 {
+            let [v0, v1, v2] = self.towards;
+            s1x = 0.5 * (v1 + v0 * x0 + v2 * x2).length_squared();
+        }
+        let s1x = s1x.clamp(f64::MIN_POSITIVE, 2.0);
         // On the arc from v₁ to x: t = sin ∠(v₁, ω)/sin ∠(v₁, x).
-        let cosine = (x0 * c01 + x2 * c12).min(1.0);
-        let versine = u.y * (1.0 - cosine);
-        let t = (u.y * (2.0 - versine) / (1.0 + cosine).max(f64::MIN_POSITIVE)).sqrt();
-        let weight = DVec3::new(t * x0, (1.0 - versine - t * cosine).max(0.0), t * x2)
-            * DVec3::from_array(self.over_distance);
+        let t = (u.y * (2.0 * (1.0 - u.y) + u.y * s1x) / s1x).sqrt();
+        let middle = 1.0 - u.y * (2.0 - s1x) + t * (1.0 - s1x);
+        let weight = DVec3::new(t * x0, middle.max(0.0), t * x2) * DVec3::from_array(self.over_distance);
         let sum = weight.element_sum();
         if sum > 0.0 && sum < f64::INFINITY { weight / sum } else { uniform_triangle(u) }
     }
