@@ -5,6 +5,7 @@ mod support;
 
 mod accel;
 mod architecture;
+mod area_light;
 mod area_lights;
 mod brdf;
 mod certified;
