@@ -52,8 +52,8 @@ impl SphericalCap {
     pub fn new(center: DVec3, radius: f64, p: DVec3) -> Self {
         let to_center = half_difference(center, p);
         let half_radius = 0.5 * radius.max(0.0);
-        let unit = power_of_two_below(to_center.abs().max_element().max(half_radius));
-        let (d, r) = (to_center / unit, half_radius / unit);
+        let scale = power_of_two_below(to_center.abs().max_element().max(half_radius)).recip(); // exact
+        let (d, r) = (to_center * scale, half_radius * scale);
         let distance = d.length();
         let mut cap = SphericalCap {
             center,
@@ -71,7 +71,7 @@ impl SphericalCap {
             cap.solid_angle = 2.0 * TAU;
             return cap;
         }
-        let axis = -d / distance;
+        let axis = d * -distance.recip();
         let (x, y) = basis(axis);
         cap.axes = [axis, x, y];
         let sin = r / distance;

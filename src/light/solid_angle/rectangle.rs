@@ -62,11 +62,11 @@ struct HalfAngle {
 impl HalfAngle {
     /// Half of `atan2(y, x)`, both to relative accuracy.
     fn of(x: f64, y: f64) -> Self {
-        let scale = x.abs().max(y.abs());
-        let (x, y) = (x / scale, y / scale);
-        let length = (x * x + y * y).sqrt();
-        let larger = ((length + x.abs()) / (2.0 * length)).sqrt();
-        let smaller = y.abs() / (2.0 * length * larger);
+        let scale = power_of_two_below(x.abs().max(y.abs())).recip(); // exact
+        let (x, y) = (x * scale, y * scale);
+        let half_over_length = 0.5 / (x * x + y * y).sqrt();
+        let larger = (0.5 + x.abs() * half_over_length).sqrt();
+        let smaller = y.abs() * half_over_length / larger;
         let (sin, cos) = if x > 0.0 { (smaller, larger) } else { (larger, smaller) };
         HalfAngle { sin: sin.copysign(y), cos }
     }
@@ -97,10 +97,10 @@ impl SphericalRectangle {
     pub fn new(center: DVec3, half_width: DVec3, half_height: DVec3, p: DVec3) -> Self {
         let r = half_difference(center, p);
         let largest = r.abs().max(half_width.abs()).max(half_height.abs()).max_element();
-        let unit = power_of_two_below(largest);
-        let (r, w, h) = (r / unit, half_width / unit * 0.5, half_height / unit * 0.5);
+        let scale = power_of_two_below(largest).recip(); // exact
+        let (r, w, h) = (r * scale, half_width * scale * 0.5, half_height * scale * 0.5);
         let (a, b) = (w.length(), h.length());
-        let (x_axis, y_axis) = (w / a, h / b);
+        let (x_axis, y_axis) = (w * a.recip(), h * b.recip());
         let (x, y, z) = (r.dot(x_axis), r.dot(y_axis), r.dot(x_axis.cross(y_axis)).abs());
         let half = DVec2::new(a.copysign(x), b.copysign(y));
         let middle = DVec2::new(x.abs(), y.abs());

@@ -44,10 +44,11 @@ impl SphericalTriangle {
     /// - Domain: finite. In the triangle's plane, also on the triangle, and without area: solid angle 0.
     pub fn new(vertices: [DVec3; 3], p: DVec3) -> Self {
         let r = vertices.map(|v| half_difference(v, p));
-        let unit = power_of_two_below(r[0].abs().max(r[1].abs()).max(r[2].abs()).max_element());
-        let r = r.map(|r| r / unit);
-        let normal = (half_difference(vertices[1], vertices[0]) / unit)
-            .cross(half_difference(vertices[2], vertices[0]) / unit);
+        let largest = r[0].abs().max(r[1].abs()).max(r[2].abs()).max_element();
+        let scale = power_of_two_below(largest).recip(); // exact
+        let r = r.map(|r| r * scale);
+        let normal = (half_difference(vertices[1], vertices[0]) * scale)
+            .cross(half_difference(vertices[2], vertices[0]) * scale);
         let distance = r.map(DVec3::length);
         let nearest = (0..3).fold(0, |n, i| if distance[i] < distance[n] { i } else { n });
         let over_distance = distance.map(f64::recip);
