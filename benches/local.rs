@@ -9,7 +9,7 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::DVec3;
-use lightbench::integrator::{Local, Stage};
+use lightbench::integrator::Local;
 use lightbench::ray::RayKind;
 use lightbench::render::{Picture, render};
 use lightbench::sample::uniform;
