@@ -12,7 +12,7 @@ use lightbench::light::{
 use lightbench::num::gamma;
 use lightbench::ray::{Ray, Silent};
 use lightbench::render::{Picture, render};
-use lightbench::sample::{Cells, Pattern};
+use lightbench::sample::{Cells, Pattern, bits, point2};
 use lightbench::scene::{Camera, FieldOfView, Material, Met, Object, Scene};
 use lightbench::shape::plane::Plane;
 use lightbench::shape::sphere::Sphere;
@@ -85,6 +85,78 @@ fn every_pattern_and_measure_has_the_closed_form_for_its_mean() {
                 let tinted = image.pixels()[0] / truth;
                 assert!((tinted - tinted.x).abs().max_element() <= gamma(8) * tinted.x, "{label}: {tinted}");
             }
+        }
+    }
+}
+
+/// The part of a convex polygon where `m·v ≤ 0`.
+fn cut(corners: &[DVec3], m: DVec3) -> Vec<DVec3> {
+    let mut kept = Vec::new();
+    for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+        let (da, db) = (m.dot(*a), m.dot(*b));
+        if da <= 0.0 {
+            kept.push(*a);
+        }
+        if da * db < 0.0 {
+            kept.push(*a + (*b - *a) * (da / (da - db)));
+        }
+    }
+    kept
+}
+
+/// A straight edge hides a part of a flat light; what it leaves is a polygon, which has a closed form.
+#[test]
+fn behind_an_edge_the_mean_is_that_of_the_polygon_that_is_left() {
+    const HEIGHT: f64 = 0.5;
+    let (across, along) = (dvec3(-0.95, 0.0, 0.3).normalize(), dvec3(0.3, 0.0, 0.95).normalize());
+    for (name, emitter) in emitters() {
+        let emitter = facing_origin(emitter);
+        let corners = match &emitter {
+            Emitter::Rectangle(r) => r.corners().to_vec(),
+            Emitter::Triangle(t) => t.corners().to_vec(),
+            Emitter::Sphere(_) => continue,
+        };
+        // The edge passes before the middle; blocked is what lies beyond it, away from the camera.
+        let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+        let edge = across * (middle * (HEIGHT / middle.y)).dot(across);
+        let left = cut(&corners, across - DVec3::Y * (edge.dot(across) / HEIGHT));
+        let truth = ALBEDO.x * polygon_irradiance(&left, DVec3::ZERO, DVec3::Y) * 3.0 * FRAC_1_PI;
+        let whole = ALBEDO.x * closed_form(&emitter) * 3.0 * FRAC_1_PI;
+        assert!((0.2..0.8).contains(&(truth / whole)), "{name}: {truth} of {whole}");
+        let at = edge + DVec3::Y * HEIGHT;
+        for pattern in Pattern::ALL.into_iter().filter(|p| p.is_unbiased()) {
+            for measure in [Measure::Area, Measure::SolidAngle] {
+                let light = AreaLight::new(emitter, Emission::diffuse(Rgb::splat(3.0)));
+                let mut scene = floor(matt(), light.sampled(16, pattern).by(measure).into());
+                let sheet = Triangle::new(at - along * 50.0, at + along * 50.0, at + across * 50.0);
+                scene.objects.push(Object::new("sheet", Box::new(sheet.expect("a triangle")), 0));
+                let picture = Picture { width: RUNS, height: 1, samples: 1, seed: 6 };
+                let image = render(&scene, &Local::default(), picture).image;
+                let label = format!("{name}, {}, {measure:?}", pattern.name());
+                mean_matches(&label, truth, image.pixels().iter().map(|p| p.x));
+            }
+        }
+    }
+}
+
+/// Half shadows of edges along the sides of a square light of `n × n` cells, at a random place: a fixed grid is off by a
+/// uniform share of a column, `1/12n²`. Of jittered points the `n` cells of one column err by chance, each by
+/// `f (1 − f)` with a uniform `f`: `n/6N² = 1/6n³`.
+#[test]
+fn edges_along_the_cells_leave_a_grid_steps_and_jittered_points_chance() {
+    for n in [2u32, 5, 10] {
+        for (pattern, variance) in [
+            (Pattern::Centres, 1.0 / (12.0 * f64::from(n * n))),
+            (Pattern::Jittered, 1.0 / (6.0 * f64::from(n * n * n))),
+        ] {
+            // Squares of errors that n cells make have a kurtosis below 10; (40 · √10)² = 16 000.
+            let squares = (0..16_000u32).map(|run| {
+                let edge = point2(11, run, 0).x;
+                let seen =
+                    pattern.points(n * n, bits(12, run.into(), 0, 0)).iter().filter(|u| u.x < edge).count();
+                (seen as f64 / f64::from(n * n) - edge).powi(2)
+            });
+            mean_matches(&format!("{} of {n} × {n}", pattern.name()), variance, squares);
         }
     }
 }
