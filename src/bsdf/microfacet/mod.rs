@@ -215,9 +215,10 @@ impl Brdf for CookTorrance {
         let over = |p: f64| {
             let tilt = self.distribution.tilt_exceeded_by(self.roughness, p * p * p * p);
             let Some(h) = tilt.filter(|h| h.0 > 0.0) else { return 0.0 };
-            let ring = self.ring(h, co, so);
+            // The few steepest facets shine most, and are counted least: so are the errors of their rings.
+            let ring = self.ring(h, co, so).times(4.0 * p * p * p);
             worst_ring.set(worst_ring.get().max(ring.error));
-            4.0 * p * p * p * ring.value
+            ring.value
         };
         // Facets at (90° − θₒ)/2 first reflect into the horizon, those at (90° + θₒ)/2 all do.
         let at = |tan2: f64| self.distribution.share_beyond(self.roughness, tan2).sqrt().sqrt();
