@@ -109,7 +109,8 @@ fn named(pattern: Pattern) -> Method {
     let k = Pattern::ALL.iter().position(|p| *p == pattern).unwrap_or(0);
     match pattern {
         Pattern::Centres => Method::new("fixed grid (D)").styled(0),
-        Pattern::Jittered => Method::default_of("jittered").styled(1),
+        Pattern::Sobol => Method::default_of("sobol").styled(k),
+        Pattern::Jittered => Method::new("jittered").styled(1),
         _ => Method::new(pattern.name()).styled(k),
     }
 }

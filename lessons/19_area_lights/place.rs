@@ -202,11 +202,12 @@ pub fn signed(x: f64) -> String {
     format!("{x:.2}").replace('-', "−")
 }
 
-/// A pattern's look in every chart of the lesson; jittered by area is the default of our own lights.
+/// A pattern's look in every chart of the lesson; Sobol's points by area are the default of our own flat lights.
 pub fn method(pattern: Pattern, measure: Measure) -> Method {
     let k = Pattern::ALL.iter().position(|p| *p == pattern).unwrap_or(0);
     match (pattern, measure) {
-        (Pattern::Jittered, Measure::Area) => Method::default_of("jittered").styled(1),
+        (Pattern::Sobol, Measure::Area) => Method::default_of("sobol").styled(k),
+        (Pattern::Jittered, Measure::Area) => Method::new("jittered").styled(1),
         (Pattern::Centres, Measure::Area) => Method::new("fixed grid").styled(0),
         (_, Measure::Area) => Method::new(pattern.name()).styled(k),
         _ => Method::new(&format!("{}, solid angle", pattern.name())),

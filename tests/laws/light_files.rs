@@ -122,10 +122,12 @@ fn lights_with_a_surface_arrive_in_their_units() {
         AreaLight::rectangle(DVec3::ZERO, DVec3::NEG_Y, 0.0, DVec2::ONE, emission).expect("a square")
     };
     let expected = [
-        AreaLight::new(triangle, Emission::even(Rgb::ONE)).sampled(16, Pattern::Jittered),
+        AreaLight::new(triangle, Emission::even(Rgb::ONE)).sampled(16, Pattern::Sobol),
         AreaLight::new(triangle, even(falls([1.0, 0.0, 0.5], 3.0))).sampled(7, Pattern::Sobol),
         AreaLight::new(triangle, Emission::diffuse(C)).by(Measure::SolidAngle).sampled(16, Pattern::Random),
-        AreaLight::new(sphere(DVec3::ZERO, 1.0), Emission::even(Rgb::ONE)).sampled(16, Pattern::Jittered),
+        AreaLight::new(sphere(DVec3::ZERO, 1.0), Emission::even(Rgb::ONE))
+            .sampled(16, Pattern::Sobol)
+            .by(Measure::SolidAngle),
         AreaLight::new(sphere(P, 2.5), Emission::diffuse(C))
             .by(Measure::SolidAngle)
             .sampled(65_536, Pattern::R2),
