@@ -21,6 +21,8 @@ mod general;
 mod pictures;
 #[path = "08_marching/sponge.rs"]
 mod sponge;
+#[path = "08_marching/spread.rs"]
+mod spread;
 #[path = "08_marching/stage.rs"]
 mod stage;
 #[path = "08_marching/trouble.rs"]
@@ -65,6 +67,7 @@ fn main() -> Result {
     lesson.save("speed_accuracy", figures::speed(&contest, &formula, rays.len()))?;
     lesson.save("work_accuracy", figures::work(&contest, rays.len()))?;
     trouble.show(&lesson)?;
+    spread::show(&lesson)?;
     sponge::show(&lesson, &sponge)?;
     pictures::show(&lesson)?;
 

@@ -18,7 +18,7 @@ mod pictures;
 #[path = "14_colour/solids.rs"]
 mod solids;
 
-use charts::{contest, largest_change, purity_of, purity_of_pair};
+use charts::{STEPS, contest, largest_change, purity_of, purity_of_pair};
 use lightbench::color::dominant::{Locus, Rim, Wheel};
 use lightbench::color::gamut::IntoGamut;
 use lightbench::color::models::{complement, degrees, hls_from_rgb, hsv_from_rgb};
@@ -44,7 +44,8 @@ fn main() -> Result {
 
     // 2. The contestants: tables and fits of the matching functions at six steps.
     let spectra = lesson.pick([4, 64, 256, 512]);
-    let contest = contest(spectra, lesson.seed());
+    let steps = lesson.pick([&STEPS[..4], &STEPS, &STEPS, &STEPS]);
+    let contest = contest(steps, spectra, lesson.seed());
 
     // 3. The figures: the diagram and its uses, the models as solids, pictures, and where methods fail.
     diagrams::save(&lesson, &wheel, &gamuts)?;

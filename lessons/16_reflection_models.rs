@@ -6,7 +6,7 @@
 //! Predict:    A's cosine lobe with exponent 10 returns all light at normal incidence. How much at 60°, how much at 89°?
 //! Figure:     16_reflection_models_furnace.svg, 16_reflection_models_spheres.svg
 
-use lightbench::bsdf::{Blinn, BlinnScale, Brdf, CookTorrance, Model, ParameterError, Phong};
+use lightbench::bsdf::{Blinn, BlinnScale, Brdf, CookTorrance, ParameterError, Phong};
 use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::measure::{Method, Series, log_spaced, sweep};
 
@@ -14,6 +14,8 @@ use lightbench::measure::{Method, Series, log_spaced, sweep};
 mod charts;
 #[path = "16_reflection_models/diagrams.rs"]
 mod diagrams;
+#[path = "16_reflection_models/dip.rs"]
+mod dip;
 #[path = "16_reflection_models/maps.rs"]
 mod maps;
 #[path = "16_reflection_models/models.rs"]
@@ -40,7 +42,7 @@ fn main() -> Result {
 
     // 1. The truth: albedos by quadrature, with their error.
     let contestants = contestants().map_err(wrong)?;
-    let steps = lesson.pick([18, 90, 180, 360]);
+    let steps = lesson.pick([9, 90, 180, 360]);
     let degrees: Vec<f64> = (0..=steps).map(|k| 89.9 * f64::from(k) / f64::from(steps)).collect();
     let furnace: Vec<(Method, Vec<(f64, f64)>)> = contestants
         .iter()
@@ -60,10 +62,10 @@ fn main() -> Result {
             (way.method(), sweep(&budgets, REPETITIONS, truth, mean))
         })
         .into();
-    let batch = (lesson.pick([8192, 16_384, 65_536, 262_144]), lesson.seed());
-    let widths = log_spaced(0.01, 1.0, lesson.pick([4, 9, 13, 17]));
-    let spread: Contest = Sampler4::ALL.map(|way| (way.method(), speed::scatter(way, &widths, batch))).into();
-    let rivals = speed::rivals(lesson.pick([(64, 2), (512, 12), (1024, 18), (1024, 18)]), lesson.seed())
+    let batch = (lesson.pick([2048, 16_384, 65_536, 262_144]), lesson.seed());
+    let widths = log_spaced(0.01, 1.0, lesson.pick([3, 9, 13, 17]));
+    let spread = speed::scatter(&widths, batch);
+    let rivals = speed::rivals(lesson.pick([(64, 1), (512, 12), (1024, 18), (1024, 18)]), lesson.seed())
         .map_err(wrong)?;
     let cells = maps::naive_against_default(lesson.pick([10, 40, 80, 120]));
 
@@ -74,9 +76,10 @@ fn main() -> Result {
     lesson.save("as_printed", charts::as_printed(&degrees))?;
     lesson.save("fresnel", charts::fresnel())?;
     lesson.save("reciprocity", charts::reciprocity(&contestants, lesson.seed()))?;
-    for (name, map) in maps::furnaces(lesson.pick([8, 36, 72, 120])).map_err(wrong)? {
+    for (name, map) in maps::furnaces(lesson.pick([4, 36, 72, 120])).map_err(wrong)? {
         lesson.save(name, map)?;
     }
+    dip::save(&lesson)?;
     lesson.save("sampling", charts::sampling(&sampled, &lobe))?;
     lesson.save("scatter", charts::scatter(&spread))?;
     lesson.save("approximations", charts::approximations(&rivals))?;
@@ -88,7 +91,7 @@ fn main() -> Result {
 
     // 4. What the figures show, checked.
     claims(&lesson, &cells).map_err(wrong)?;
-    lesson.answer(&answer(&contestants, &spread))
+    lesson.answer(&answer(&furnace, &spread))
 }
 
 fn claims(lesson: &Lesson, cells: &maps::Cells) -> std::result::Result<(), ParameterError> {
@@ -127,8 +130,8 @@ fn claims(lesson: &Lesson, cells: &maps::Cells) -> std::result::Result<(), Param
     Ok(())
 }
 
-fn answer(contestants: &[(Method, Model)], spread: &[(Method, Series)]) -> String {
-    let albedos = |k: usize| (0..90).map(move |d| contestants[k].1.albedo(view(f64::from(d))).value);
+fn answer(furnace: &[(Method, Vec<(f64, f64)>)], spread: &[(Method, Series)]) -> String {
+    let albedos = |k: usize| furnace[k].1.iter().map(|p| p.1);
     let least = |k: usize| 100.0 * albedos(k).fold(f64::INFINITY, f64::min);
     let most = |k: usize| 100.0 * albedos(k).fold(0.0, f64::max);
     let at = |k: usize| spread[k].1.points.first().and_then(|p| p.error).map_or(f64::NAN, |e| e.mid);

@@ -2,7 +2,7 @@
 
 use super::contestant::Contestant;
 use super::stage::{FROM_ABOVE, HOME, Stage, picture};
-use super::trouble::planet;
+use super::trouble::{hull, planet};
 use super::{FAR, STEEP};
 use glam::{DVec2, DVec3, dvec3};
 use lightbench::color::Rgb;
@@ -27,7 +27,7 @@ pub fn show(lesson: &Lesson) -> Result {
     let width = lesson.pick([24, 240, 420, 840]);
     heat(lesson, width)?;
     strides(lesson, width)?;
-    holes(lesson, lesson.pick([24, 180, 300, 600]))?;
+    holes(lesson, lesson.pick([15, 180, 300, 600]))?;
     lesson.save("normals", normals(lesson))
 }
 
@@ -104,11 +104,12 @@ fn strides(lesson: &Lesson, width: usize) -> Result {
 
 /// A planet with ripples, lit from the upper left; `found` is the distance to its surface.
 fn lit(width: usize, amplitude: f64, found: impl Fn(&Ray) -> Option<f64>) -> Pixels {
-    let field = planet(amplitude);
+    let (field, hull) = (planet(amplitude), hull(amplitude));
     let camera = Camera::new(dvec3(0.0, 0.0, 5.0), DVec3::ZERO, DVec3::Y, FieldOfView::Vertical(0.54));
     let rays = picture(&camera.expect("an eye and another point"), width);
     let light = dvec3(-0.5, 0.7, 0.6).normalize();
-    let shade = |ray: &Ray| match found(ray).filter(|t| *t < FAR) {
+    let near = |ray: &Ray| hull.nearest(ray, 0.0, FAR).and_then(|_| found(ray)).filter(|t| *t < FAR);
+    let shade = |ray: &Ray| match near(ray) {
         None => dvec3(0.80, 0.86, 0.92),
         Some(t) => {
             let p = ray.at(t);

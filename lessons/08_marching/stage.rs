@@ -16,10 +16,13 @@ use lightbench::shape::torus::Torus;
 /// Where the stage stands if nothing is said.
 pub const HOME: DVec3 = DVec3::ZERO;
 /// Height of the floor.
-const FLOOR: f64 = -1.05;
+pub const FLOOR: f64 = -1.05; // m
 /// Eyes, from the stage's middle [m].
 pub const FROM_ABOVE: DVec3 = DVec3::new(0.9, 1.5, 5.0);
 pub const FROM_THE_FLOOR: DVec3 = DVec3::new(0.9, FLOOR + 0.02, 5.0);
+
+/// Angle of view, from the bottom of a picture to its top [rad].
+pub const ANGLE: f64 = 0.62;
 
 /// All of it as one field.
 pub type Field = Union<Union<Union<Sphere, Cuboid>, Union<Placed<Torus>, Cylinder>>, Union<Cone, Cuboid>>;
@@ -57,7 +60,7 @@ impl Stage {
     /// Rays of a picture three by two, `width` pixels across, row by row.
     pub fn view(&self, width: usize, from: DVec3) -> Vec<Ray> {
         let (eye, target) = (self.at + from, self.at + dvec3(0.1, from.y.min(-0.5), 0.0));
-        let field = FieldOfView::Vertical(0.62);
+        let field = FieldOfView::Vertical(ANGLE);
         let camera = Camera::new(eye, target, DVec3::Y, field).expect("an eye and another point");
         picture(&camera, width)
     }

@@ -15,7 +15,8 @@ use lightbench::measure::{Method, Point, Series, Spread, Tally, log_spaced, time
 use lightbench::num::double_double::DoubleDouble;
 use lightbench::sample::Sampler;
 
-const STEPS: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 20.0, 40.0]; // nm
+/// Steps at which spectra are summed [nm].
+pub const STEPS: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 20.0, 40.0];
 
 /// A spectrum at every nm from 360 on.
 struct Sampled(Vec<f64>);
@@ -53,12 +54,12 @@ fn styled(matching: Matching) -> Method {
 }
 
 /// Matching functions × step: time and error of a spectrum's chromaticity.
-pub fn contest(count: u32, seed: u64) -> Vec<(Method, Series)> {
+pub fn contest(steps: &[f64], count: u32, seed: u64) -> Vec<(Method, Series)> {
     let spectra = spectra(count, seed);
     let truth: Vec<DVec2> =
         spectra.iter().map(|s| chromaticity(Matching::Table1nm, 1.0, |w| s.at(w))).collect();
     let measured = |matching: Matching| {
-        Series::over(&STEPS, |step| {
+        Series::over(steps, |step| {
             let all =
                 || spectra.iter().map(|s| chromaticity(matching, step, |w| s.at(w))).collect::<Vec<_>>();
             let errors: Vec<f64> = all().iter().zip(&truth).map(|(a, b)| a.distance(*b)).collect();
@@ -74,6 +75,7 @@ pub fn speed(contest: &[(Method, Series)], spectra: u32) -> Figure {
     let at = |k: usize, i: usize| &contest[k].1.points[i];
     let error = |k: usize, i: usize| at(k, i).error.map_or(f64::NAN, |e| e.mid);
     let time = |k: usize, i: usize| at(k, i).time.map_or(f64::NAN, |t| t.mid);
+    let steps: Vec<String> = contest[0].1.points.iter().map(|p| short(p.parameter)).collect();
     let title = format!(
         "A table at 10 nm is {:.0} × as accurate as the best fit at 1 nm, in 1/{:.0} of its time",
         error(2, 0) / error(0, 3),
@@ -83,7 +85,8 @@ pub fn speed(contest: &[(Method, Series)], spectra: u32) -> Figure {
         .x(Axis::time("time per spectrum"))
         .title(&title)
         .subtitle(&format!(
-            "{spectra} spectra, black bodies plain and filtered; each point a step: 1, 2, 5, 10, 20, 40 nm"
+            "{spectra} spectra, black bodies plain and filtered; each point a step: {} nm",
+            steps.join(", ")
         ))
         // The semi-axes of MacAdam's ellipses (1942) are 0.0004 to 0.01 long.
         .guide(Guide::level(0.003, "about what an eye can tell apart"));
@@ -121,17 +124,22 @@ pub fn narrow(centers: u32, seed: u64) -> Figure {
     )
     .title("A step misses lines narrower than half of it; those as wide as itself it finds to two thousandths")
     .subtitle(&format!("{centers} lines at random places between 450 and 650 nm; truth: the table at 1 nm, straight between its rows"));
+    let centers: Vec<f64> =
+        (0..centers).map(|k| 450.0 + 200.0 * Sampler::new(seed, 140, k).next_1d()).collect();
+    let luminance = |center, width, step| Matching::Table1nm.xyz(line(center, width), step).y;
+    let truths: Vec<Vec<f64>> = widths
+        .iter()
+        .map(|width| centers.iter().map(|c| luminance(*c, *width, (width / 8.0).min(0.5))).collect())
+        .collect();
     for (i, step) in [1.0, 5.0, 10.0, 20.0].into_iter().enumerate() {
-        let series = Series::over(&widths, |width| {
+        let point = |(width, truths): (&f64, &Vec<f64>)| {
             let mut tally = Tally::new();
-            for k in 0..centers {
-                let center = 450.0 + 200.0 * Sampler::new(seed, 140, k).next_1d();
-                let fine = (width / 8.0).min(0.5);
-                let truth = Matching::Table1nm.xyz(line(center, width), fine).y;
-                tally.answer(Some(Matching::Table1nm.xyz(line(center, width), step).y), Some(truth));
+            for (center, truth) in centers.iter().zip(truths) {
+                tally.answer(Some(luminance(*center, *width, step)), Some(*truth));
             }
-            tally.worst_at(width)
-        });
+            tally.worst_at(*width)
+        };
+        let series = Series::new(widths.iter().zip(&truths).map(point).collect());
         let method = if i == 0 { Method::default_of("1 nm") } else { Method::new(&format!("{step} nm")) };
         chart = chart.line(method.styled(i), &series);
     }

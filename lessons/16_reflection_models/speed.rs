@@ -60,21 +60,33 @@ impl Sampler4 {
         sum / f64::from(samples)
     }
 
-    /// Standard deviation of one sample over the mean.
-    pub fn deviation(self, model: &CookTorrance, wo: DVec3, (samples, seed): (u32, u64)) -> Option<f64> {
+    /// Standard deviation of one sample.
+    fn deviation(self, model: &CookTorrance, wo: DVec3, (samples, seed): (u32, u64)) -> Option<f64> {
         let moments: Moments = (0..samples).map(|i| self.weight(model, wo, point2(seed, 0, i))).collect();
-        let truth = model.albedo(wo).value;
-        moments.variance().map(|v| v.sqrt() / truth)
+        moments.variance().map(f64::sqrt)
     }
 }
 
-/// Relative standard deviation of one sample, over the roughness.
-pub fn scatter(way: Sampler4, widths: &[f64], batch: (u32, u64)) -> Series {
-    Series::over(widths, |width| {
-        let model = CookTorrance::ggx(width, super::WHITE).map(|m| m.sampled(way.facets()));
-        let deviation = model.ok().and_then(|m| way.deviation(&m, super::view(super::GRAZING), batch));
-        Point { error: deviation.map(Spread::exact), ..Point::at(width) }
-    })
+/// Standard deviation of one sample over the mean, by each way, over the roughness.
+pub fn scatter(widths: &[f64], batch: (u32, u64)) -> super::Contest {
+    let wo = super::view(super::GRAZING);
+    let lobes: Vec<(f64, Option<(CookTorrance, f64)>)> = widths
+        .iter()
+        .map(|width| {
+            let lobe = CookTorrance::ggx(*width, super::WHITE).ok();
+            (*width, lobe.map(|lobe| (lobe, lobe.albedo(wo).value)))
+        })
+        .collect();
+    let point = |way: Sampler4, (width, lobe): &(f64, Option<(CookTorrance, f64)>)| {
+        let relative = |(lobe, truth): &(CookTorrance, f64)| {
+            Some(way.deviation(&lobe.sampled(way.facets()), wo, batch)? / truth)
+        };
+        let error = lobe.as_ref().and_then(relative).map(Spread::exact);
+        Point { error, ..Point::at(*width) }
+    };
+    Sampler4::ALL
+        .map(|way| (way.method(), Series::new(lobes.iter().map(|lobe| point(way, lobe)).collect())))
+        .into()
 }
 
 /// A fast form and the exact one that it stands for.
@@ -132,9 +144,9 @@ fn rival(
     let errors: Vec<f64> = pairs.iter().map(relative).collect();
     let time = time_each(pairs.len(), || pairs.iter().map(|g| model.value(g)).sum::<f64>());
     let point = Point { error: Spread::rms(&errors), ..Point::at(1.0) }.timed(time);
-    let off = |degrees: f64| {
-        (model.albedo(super::view(degrees)).value - exact.albedo(super::view(degrees)).value).abs()
-    };
+    let albedo = |m: &Model, degrees: f64| m.albedo(super::view(degrees)).value;
+    let off = |degrees: f64| (albedo(model, degrees) - albedo(exact, degrees)).abs();
+    let angles = if model == exact { 0 } else { angles };
     Rival {
         method: Method::new(name).styled(style),
         series: Series::new(vec![point]),

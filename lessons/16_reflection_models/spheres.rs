@@ -149,7 +149,7 @@ pub fn save(lesson: &Lesson) -> Result<(), LessonError> {
     let dim = |m: &Lobes| lit(m, Shot { exposure: 0.75, ..shot });
     lesson.save("three_surfaces", three(&bright).map_err(wrong)?)?;
     lesson.save("spheres", all(&bright).map_err(wrong)?)?;
-    lesson.save("roughness", roughness(&dim).map_err(wrong)?)?;
+    lesson.save("roughness", roughness(&dim, lesson.pick([15, 5, 5, 5])).map_err(wrong)?)?;
     lesson.save("furnace_spheres", in_furnace(shot, lesson.pick([8, 64, 128, 256])).map_err(wrong)?)
 }
 
@@ -195,13 +195,16 @@ fn all(shot: &dyn Fn(&Lobes) -> Pixels) -> Result<Figure, ParameterError> {
 }
 
 /// [D fig. 46].
-fn roughness(shot: &dyn Fn(&Lobes) -> Pixels) -> Result<Figure, ParameterError> {
+fn roughness(shot: &dyn Fn(&Lobes) -> Pixels, every: usize) -> Result<Figure, ParameterError> {
     let (diffuse, specular) = (Rgb::splat(0.9), Rgb::splat(0.8));
     let mut panels = Panels::new().columns(4);
     let mut most: f64 = 0.0;
     for roughness in [0.1, 0.3, 0.6, 1.0] {
         let material = Lobes::matt_and_glossy(diffuse, specular, roughness)?;
-        most = most.max((0..18).map(|k| material.albedo(view(5.0 * f64::from(k))).0.x).fold(0.0, f64::max));
+        most = (0..90u32)
+            .step_by(every)
+            .map(|degrees| material.albedo(view(f64::from(degrees))).0.x)
+            .fold(most, f64::max);
         panels = panels.picture(shot(&material), &format!("roughness {roughness}"));
     }
     let panels = panels
@@ -228,8 +231,8 @@ fn in_furnace(shot: Shot, steps: usize) -> Result<Figure, ParameterError> {
         CookTorrance::ggx(1.0, Fresnel::Schlick { f0: 1.0 })?.into(),
     ));
     for (method, model) in &models {
-        let table: Vec<f64> = (0..=128)
-            .map(|k| model.albedo(view((f64::from(k).max(0.25) / 128.0).acos().to_degrees())).value)
+        let table: Vec<f64> = (0..=steps)
+            .map(|k| model.albedo(view(((k as f64).max(0.25) / steps as f64).acos().to_degrees())).value)
             .collect();
         let at = |cos: f64| {
             let x = cos.clamp(0.0, 1.0) * steps as f64;

@@ -136,6 +136,10 @@ impl Canvas {
 
     fn lay(&mut self, x: usize, y: usize, rgb: Srgb, alpha: f64) {
         let i = 3 * (y * self.pixels.width + x);
+        if alpha == 1.0 {
+            self.pixels.rgb[i..i + 3].copy_from_slice(&rgb);
+            return;
+        }
         for (channel, &c) in rgb.iter().enumerate() {
             let old = f64::from(self.pixels.rgb[i + channel]);
             self.pixels.rgb[i + channel] = (old + (f64::from(c) - old) * alpha).round() as u8;

@@ -63,10 +63,9 @@ pub fn coverage(polygons: &[Vec<DVec2>], width: usize, height: usize) -> Coverag
             cross(a, polygon[(i + 1) % polygon.len()], y0, h * SCANS, &mut crossings);
         }
     }
-    crossings.sort_unstable_by(|a, b| {
-        a.scan.cmp(&b.scan).then(a.x.total_cmp(&b.x)).then(a.winding.cmp(&b.winding))
-    });
-    for row in crossings.chunk_by(|a, b| a.scan == b.scan) {
+    for row in by_scan(crossings, h * SCANS).chunk_by_mut(|a, b| a.scan == b.scan) {
+        // A total order: the sums of coverage, and with them the bytes, do not depend on the order of the edges.
+        row.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.winding.cmp(&b.winding)));
         let start = row[0].scan as usize / SCANS * w;
         spans(row, x0, &mut block.values[start..start + w]);
     }
@@ -81,7 +80,26 @@ fn pixel_range(low: f64, high: f64, size: usize) -> (usize, usize) {
     ((low.floor().max(0.0) as usize).min(size), (high.ceil().max(0.0) as usize).min(size))
 }
 
+/// The crossings scan line by scan line, counted into place: a scan line has few, a polygon many.
+fn by_scan(crossings: Vec<Crossing>, scans: usize) -> Vec<Crossing> {
+    let mut next = vec![0usize; scans + 1];
+    for c in &crossings {
+        next[c.scan as usize + 1] += 1;
+    }
+    for k in 0..scans {
+        next[k + 1] += next[k];
+    }
+    let mut sorted = crossings.clone();
+    for c in crossings {
+        let place = &mut next[c.scan as usize];
+        sorted[*place] = c;
+        *place += 1;
+    }
+    sorted
+}
+
 /// Where an edge crosses a scan line, and which way.
+#[derive(Clone, Copy)]
 struct Crossing {
     scan: u32,
     x: f64,
