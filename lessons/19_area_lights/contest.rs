@@ -162,7 +162,7 @@ impl Contest {
         head.extend(self.usual.iter().map(|(name, _)| format!("{name}: RMSE")));
         head.extend(self.usual.iter().map(|(name, _)| format!("{name} [ms]")));
         let mut table = Table::new(&head.iter().map(String::as_str).collect::<Vec<_>>()).timed();
-        for (m, (_, by)) in MEASURES.iter().enumerate() {
+        for (m, (measure, by)) in MEASURES.iter().enumerate() {
             for (p, pattern) in Pattern::ALL.iter().enumerate() {
                 let point = |k: usize| &self.usual[k].1[m][p];
                 let mut row = vec![format!("{}, {by}", pattern.name())];
@@ -170,7 +170,7 @@ impl Contest {
                 let ms = |k: usize| point(k).time.map_or(f64::NAN, |t| 1.0e3 * t.mid);
                 row.extend((0..3).map(|k| format!("{:.2}", ms(k))));
                 table = table.row(&row.iter().map(String::as_str).collect::<Vec<_>>());
-                if *pattern == Pattern::Sobol {
+                if (*pattern, *measure) == (Pattern::Sobol, Measure::SolidAngle) {
                     table = table.marked();
                 }
             }
@@ -181,7 +181,7 @@ impl Contest {
                 "By solid angle 16 jittered points err {sphere:.0} times less on a sphere, {rectangle:.1} and {triangle:.1} times on rectangle and triangle"
             ))
             .subtitle(&format!(
-                "one picture under each light, {} × {} pixels, one thread; marked are the defaults: by area on flat lights, by solid angle on spheres",
+                "one picture under each light, {} × {} pixels, one thread; marked is the default of spheres; flat lights take sobol by area",
                 self.picture.width, self.picture.height
             ))
     }

@@ -36,9 +36,9 @@ pub(super) struct RenderArgs {
 enum IntegratorName {
     /// The nearest surface in its own colour, no light
     Visibility,
-    /// Lambert and ambient light, no shadows
+    /// The light of lamps and ambient light as materials reflect them, no shadows
     Unshadowed,
-    /// Lambert and ambient light with shadows
+    /// The same with shadows
     #[default]
     Local,
 }
@@ -337,7 +337,9 @@ fn replay_pixel(
     let per_sample = file.rays_per_pixel() / u64::from(file.settings.samples);
     let rays = per_sample.saturating_mul(u64::from(picture.samples));
     if rays > MOST_REPLAYED {
-        let message = format!("expected at most {MOST_REPLAYED} rays to keep, found {rays}; lower --spp");
+        let message = format!(
+            "expected at most {MOST_REPLAYED} rays to keep, found {rays}; lower --spp, or the Samples or Subdivision of lights"
+        );
         return Err(Failure::input(format!("--pixel {x},{y}: {message}")));
     }
     let name = stem(path);

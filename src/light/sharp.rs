@@ -59,18 +59,27 @@ impl PointLight {
         if !(MODERATE.0..=MODERATE.1).contains(&distance) {
             return self.arriving_from_extremes(to);
         }
-        let irradiance = self.strength * self.attenuation.factor(distance);
-        Arrival { to, wi: to / distance, t_max: 1.0, irradiance }
+        Arrival { to, wi: to / distance, t_max: 1.0, irradiance: self.thinned(distance) }
     }
 
     #[cold]
     fn arriving_from_extremes(&self, to: DVec3) -> Arrival {
         let Some(wi) = unit(to) else {
-            let irradiance = self.strength * self.attenuation.factor(to.length());
-            return Arrival { to, wi: DVec3::NAN, t_max: 1.0, irradiance };
+            return Arrival { to, wi: DVec3::NAN, t_max: 1.0, irradiance: self.thinned(to.length()) };
         };
         let distance = to.abs().max_element() / wi.abs().max_element();
-        Arrival { to: wi, wi, t_max: distance, irradiance: self.strength * self.attenuation.factor(distance) }
+        Arrival { to: wi, wi, t_max: distance, irradiance: self.thinned(distance) }
+    }
+
+    /// Irradiance at a distance. What overflows ends at the largest number, so that no `0·∞` makes NaN of it.
+    #[inline]
+    fn thinned(&self, distance: f64) -> Rgb {
+        let irradiance = self.strength * self.attenuation.factor(distance);
+        if irradiance.is_finite() {
+            return irradiance;
+        }
+        let factor = self.attenuation.factor(distance).min(f64::MAX);
+        (self.strength.min(Rgb::splat(f64::MAX)) * factor).min(Rgb::splat(f64::MAX))
     }
 }
 

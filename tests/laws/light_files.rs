@@ -4,9 +4,11 @@
 use glam::{DVec2, DVec3, dvec3};
 use lightbench::bsdf::{Blinn, BlinnScale, Lambert, Lobes, OrenNayar, OrenNayarForm, Phong, PhongScale};
 use lightbench::color::Rgb;
+use lightbench::integrator::Local;
 use lightbench::light::{
     AreaLight, Attenuation, DirectionalLight, Emission, Light, Measure, PointLight, SpotLight,
 };
+use lightbench::render::{Picture, render, replay};
 use lightbench::sample::Pattern;
 use lightbench::scene::Material;
 use lightbench::scene_file::{Color, SceneFile, Severity, read};
@@ -355,4 +357,47 @@ fn shows_numbers(parameters: &str) -> usize {
         }
     }
     1
+}
+
+/// What overflows is told, or ends at the largest number; nothing becomes NaN.
+#[test]
+fn extreme_lights_are_refused_or_stay_numbers() {
+    let head = "Camera { POV 0 2 6 POI 0 0.8 0 }\nMaterial { Name m DiffuseColor 0.6 0.6 0.6 }\nPlane { Material m }\n";
+    for light in [
+        "AreaLight { Position 0 4 0 Width 1e155 Height 1e155 Radiance 1 1 1 }",
+        "SphereLight { Center 0 1e155 0 Radius 5e154 Radiance 1 1 1 }",
+        "TriangleLight { V0 0 4 0 V1 1e200 4 0 V2 0 4 1e200 Radiance 1 1 1 }",
+    ] {
+        let wrong = read(&format!("{head}{light}\n"), "t").err().expect("an error").render(Color::Never);
+        assert!(wrong.contains("t:4:1: error: the light is too large") && wrong.contains("1e70"), "{wrong}");
+    }
+    for light in [
+        "Color 1e308 1e308 1e308 Attenuation 1e308 1e308 1e308",
+        "Color 0 1 0 Attenuation 0 0 1e-320",
+        "Color 1 1 0 Attenuation 0 0 5e-324",
+        "Intensity 1e308 0 1",
+    ] {
+        let text = format!("{head}PointLight {{ Position 2 4 3 {light} }}\n");
+        let scene = read(&text, "t").unwrap_or_else(|e| panic!("{}", e.render(Color::Never))).scene;
+        let picture = Picture { width: 8, height: 6, samples: 1, seed: 0 };
+        let image = render(&scene, &Local::default(), picture).image;
+        assert!(image.pixels().iter().all(|p| !p.is_nan()), "{light}");
+        let (value, _) = replay(&scene, &Local::default(), picture, (4, 4));
+        assert!(!value.is_nan(), "{light}");
+    }
+}
+
+/// A roughness that is written is read, or told to be without effect.
+#[test]
+fn a_roughness_without_effect_is_told() {
+    let head = "Camera { POV 0 2 6 POI 0 0.8 0 }\nPointLight { }\n";
+    let remarks = |model: &str| {
+        let text =
+            format!("{head}Material {{ Name m Model {model} Roughness 0.3 }}\nPlane {{ Material m }}\n");
+        read(&text, "t").unwrap_or_else(|e| panic!("{}", e.render(Color::Never))).remarks.render(Color::Never)
+    };
+    let told = remarks("oren-nayar");
+    assert!(told.contains("t:3:36: warning: `Roughness` has no effect with `Model oren-nayar`"), "{told}");
+    assert!(told.contains("cook-torrance, rough"), "{told}");
+    assert!(!remarks("rough").contains("warning") && !remarks("cook-torrance").contains("warning"));
 }

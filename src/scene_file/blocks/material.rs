@@ -9,6 +9,8 @@ pub const MODELS: &[&str] =
 
 /// Parameters that some models read, and which.
 pub const READ_BY: &[(&str, &[&str])] = &[
+    // Without a model it is a remark on all that has no effect yet.
+    ("Roughness", &["lambert", "cook-torrance", "rough"]),
     ("Exponent", &["phong", "blinn", "lafortune"]),
     ("Normalisation", &["phong", "blinn"]),
     ("Lobe", &["lafortune"]),

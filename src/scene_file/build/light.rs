@@ -15,6 +15,9 @@ use crate::shape::triangle::Triangle;
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 
+/// Farthest part of a light with a surface [m]: fourth powers of distances, of which its light is made, are numbers still.
+const FARTHEST: f64 = 1e70;
+
 /// Ways to say how much light there is; a block has one at most.
 const MEASURES: &[&str] = &["Color", "Intensity", "Flux", "Irradiance", "Radiance"];
 
@@ -188,6 +191,16 @@ fn area_light(block: &Block, log: &mut Vec<Diagnostic>) -> Option<AreaLight> {
             return None;
         }
     };
+    let (center, radius) = light.emitter.ball();
+    let reach = center.abs().max_element() + radius;
+    if !(reach <= FARTHEST) {
+        let d = Diagnostic::error(block.keyword.clone(), "the light is too large or too far away");
+        log.push(
+            d.expected(format!("all of it within {FARTHEST:e} m of the origin"))
+                .found(format!("{reach:e} m")),
+        );
+        return None;
+    }
     if block.rule.param("Subdivision").is_none() {
         return Some(light.sampled(natural(block.integers::<1>("Samples")[0]), pattern));
     }

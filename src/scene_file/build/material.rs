@@ -18,10 +18,10 @@ pub fn material(block: &Block, log: &mut Vec<Diagnostic>) -> Material {
     let one = |name: &str| block.numbers::<1>(name)[0];
     let model = block.word("Model").unwrap_or("lambert");
     for (param, models) in READ_BY {
-        if let Some(entry) = block.entry(param).filter(|_| !models.contains(&model)) {
+        if let Some(entry) = block.entry(param).filter(|e| e.value.is_some() && !models.contains(&model)) {
             let message = format!("`{param}` has no effect with `Model {model}`");
             let d = Diagnostic::warning(entry.keyword.clone(), message);
-            log.push(d.help(format!("it is read by {}", models.join(", "))));
+            log.push(d.help(format!("it is read by {}", readers(models))));
         }
     }
     let mut material = Material {
@@ -56,6 +56,11 @@ fn refused(block: &Block, error: &ParameterError) -> Diagnostic {
     }
     let d = Diagnostic::error(block.span("FacetIndex"), "`FacetIndex` has no index of refraction");
     d.expected("n and k from 0 to 1000000, and n at least 0.000001").found(format!("n = {n} and k = {k}"))
+}
+
+/// The models that read a parameter, as a message names them.
+fn readers(models: &[&str]) -> String {
+    models.iter().filter(|m| **m != "lambert").copied().collect::<Vec<_>>().join(", ")
 }
 
 fn lobes(block: &Block, model: &str, m: &Material) -> Result<Lobes, ParameterError> {

@@ -99,14 +99,15 @@ fn missing(source: &str, parsed: &Parsed, log: &mut Vec<Diagnostic>) {
         log.push(d.expected("blocks: a `Camera`, and at least one object, such as a `Sphere`"));
         return;
     }
-    for (role, what, example) in [
-        (Role::Camera, "camera", "`Camera { POV 0 1 5  POI 0 0 0 }`"),
-        (Role::Object, "object", "`Sphere { Material …  Radius 1 }`"),
+    for (role, article, what, example) in [
+        (Role::Camera, "a", "camera", "`Camera { POV 0 1 5  POI 0 0 0 }`"),
+        (Role::Object, "an", "object", "`Sphere { Material …  Radius 1 }`"),
     ] {
         if of(&parsed.blocks, |r| r == role).next().is_none() {
             let d = Diagnostic::error(end.clone(), format!("the scene has no {what}"));
             log.push(
-                d.expected(format!("a {what} before the end of the file")).help(format!("such as {example}")),
+                d.expected(format!("{article} {what} before the end of the file"))
+                    .help(format!("such as {example}")),
             );
         }
     }
