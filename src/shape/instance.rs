@@ -20,6 +20,8 @@ pub struct Instance<S: ?Sized + Shape = dyn Shape> {
     /// Sum of the magnitudes of each row, the largest: how much the maps stretch a coordinate's error.
     world_stretch: f64,
     local_stretch: f64,
+    /// Does the map only scale evenly and move? Then directions stay what they are, and its matrices have one number each.
+    upright: bool,
     shape: Box<S>,
 }
 
@@ -38,7 +40,9 @@ impl<S: ?Sized + Shape> Instance<S> {
         }
         let normals = normal_matrix(&m).ok_or(ShapeError::Flat { what: "transformation" })?;
         let (world_stretch, local_stretch) = (stretch(&m), stretch(&to_local.matrix3));
-        Ok(Instance { to_world, to_local, normals, world_stretch, local_stretch, shape })
+        let upright = |m: &DMat3| m.x_axis.x > 0.0 && *m == DMat3::from_diagonal(DVec3::splat(m.x_axis.x));
+        let upright = upright(&m) && upright(&to_local.matrix3);
+        Ok(Instance { to_world, to_local, normals, world_stretch, local_stretch, upright, shape })
     }
 
     /// A box round the image of a box.
@@ -56,7 +60,12 @@ impl<S: ?Sized + Shape> Instance<S> {
         Aabb::new(mapped.min - slack, mapped.max + slack)
     }
 
+    #[inline]
     fn local(&self, ray: &Ray) -> Ray {
+        if self.upright {
+            let DAffine3 { matrix3, translation } = self.to_local;
+            return Ray::new(ray.origin * matrix3.x_axis.x + translation, ray.direction * matrix3.x_axis.x);
+        }
         Ray::new(self.to_local.transform_point3(ray.origin), self.to_local.transform_vector3(ray.direction))
     }
 }
@@ -81,12 +90,16 @@ impl<S: ?Sized + Shape> Shape for Instance<S> {
         let point = self.to_world.transform_point3(local.point);
         let map_back =
             self.local_stretch * (point.abs().max_element() + self.to_world.translation.abs().max_element());
+        let point_error = self.world_stretch
+            * (local.point_error + gamma(8) * (local.point.abs().max_element() + map_back));
+        if self.upright {
+            return Hit { point, point_error, ..local };
+        }
         let ng = unit(self.normals * local.ng).unwrap_or(local.ng);
         let tangent = unit(*m * local.tangent).unwrap_or(local.tangent);
         Hit {
             point,
-            point_error: self.world_stretch
-                * (local.point_error + gamma(8) * (local.point.abs().max_element() + map_back)),
+            point_error,
             ng,
             n: if local.n == local.ng { ng } else { unit(self.normals * local.n).unwrap_or(ng) },
             tangent: unit(tangent - ng * tangent.dot(ng)).unwrap_or(tangent),

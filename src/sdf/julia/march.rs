@@ -14,23 +14,24 @@ use crate::num::U;
 /// Looks at four places before a search gives up and takes the place it has reached for the surface: a ray that creeps
 /// along a fractal more closely than rounding can tell. (Of 10⁷ random rays none took 1000.)
 const MOST_LOOKS: usize = 100_000;
-/// Length of the window that is looked at first [cells of the grid]. Tuned: at 1.4 and at 3.5 hits take more looks.
-const WINDOW: f64 = 2.0;
+/// Length of the window that is looked at first [cells of the grid], for the first change and for any. Tuned: with 2 the first of
+/// two looks finds nothing, and after 5 the place that is found is too rough; whether there is one, distant places tell.
+const WINDOW: f64 = 3.5;
+const WINDOW_ANY: f64 = 7.0;
+/// The same where the search begins at the surface itself, as shadow rays do. Tuned: at 0.9 and at 3.6 they take more looks.
+const WINDOW_FRESH: f64 = 1.8;
 
 /// Shares of the width at which places are looked at: evenly; towards a root; from a start on.
-const EVEN: [f64; LANES] = [0.125, 0.375, 0.625, 0.875];
-const TOWARDS: [f64; LANES] = [0.25, 0.6, 0.85, 0.96];
-const AWAY: [f64; LANES] = [0.07, 0.23, 0.48, 0.82];
-const FRESH: [f64; LANES] = [0.0, 0.08, 0.25, 0.55];
+static EVEN: [f64; LANES] = [0.125, 0.375, 0.625, 0.875];
+static TOWARDS: [f64; LANES] = [0.25, 0.6, 0.85, 0.96];
+static AWAY: [f64; LANES] = [0.07, 0.23, 0.48, 0.82];
+static FRESH: [f64; LANES] = [0.0, 0.11, 0.44, 1.0];
 /// Width of four places by the reach of one. Each covers two reaches, so 8 would leave no overlap; tuned.
 const SPREAD: f64 = 6.0;
 /// The same where each reaches farther than the one before.
 const SPREAD_AWAY: f64 = 10.0;
 /// A root is near if the first of the places towards it is within reach: a quarter of half a width.
 const NEAR: f64 = 0.5;
-
-/// A step of Newton's of so many grains (10⁻⁹) is the last: squared, and times a curvature of up to 10³, it is no grain.
-const LAST: f64 = (1 << 20) as f64;
 
 /// What is asked.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -39,6 +40,17 @@ pub(super) enum Ask {
     First,
     /// Whether there is one.
     Any,
+}
+
+/// Where a search begins, and what is known there.
+#[derive(Clone, Copy)]
+pub(super) enum Begin {
+    /// The sign is the search's.
+    Known(f64),
+    /// The sign is still to be seen.
+    Unseen(f64),
+    /// A change, found before, to the search's sign.
+    Behind(f64),
 }
 
 /// What was found.
@@ -76,13 +88,29 @@ struct Front {
 }
 
 impl Search<'_> {
-    /// The first change of sign between `from` and `end`; `fresh` if the sign at `from` is still to be seen.
+    /// The first change of sign between a beginning and `end`.
     #[inline(always)]
-    pub fn run<V: Lanes>(&self, from: f64, end: f64, fresh: bool) -> Found {
-        let window = WINDOW * self.grid.cell();
+    pub fn run<V: Lanes>(&self, begin: Begin, end: f64) -> Found {
+        let (from, fresh) = match begin {
+            Begin::Known(s) => (s, false),
+            Begin::Unseen(s) => (s, true),
+            Begin::Behind(root) => match self.behind::<V>(root, end) {
+                Some(s) => (s, true),
+                None => return Found::Nothing,
+            },
+        };
+        let cell = self.grid.cell() * self.line.per_length;
+        let window = cell * if self.ask == Ask::Any { WINDOW_ANY } else { WINDOW };
         let grain = self.grain();
-        let path = self.grid.path(self.line.middle, self.line.direction);
-        let mut front = Front { clear: from, width: window, end, root: None, away: false, fresh };
+        let path = self.grid.path(self.line);
+        let mut front = Front {
+            clear: from,
+            width: if fresh { cell * WINDOW_FRESH } else { window },
+            end,
+            root: None,
+            away: false,
+            fresh,
+        };
         for _ in 0..MOST_LOOKS {
             if front.root.is_none() && !self.inside && !front.fresh {
                 let next = self.grid.skip(&path, front.clear, end);
@@ -93,8 +121,11 @@ impl Search<'_> {
             if !(front.clear < front.stop()) {
                 return front.root.map_or(Found::Nothing, Found::At);
             }
-            let places = front.places();
+            // Four numbers written one by one are not at hand as a vector for a while.
+            let (shares, width) = front.places();
+            let places = V::splat(front.clear) + V::of(*shares) * V::splat(width);
             let look = stretches(self.set, self.line.start::<V>(places));
+            let places = places.array();
             if front.fresh && look.inside[0] != self.inside {
                 return Found::OtherSide;
             }
@@ -148,19 +179,23 @@ impl Search<'_> {
         None
     }
 
-    /// The next place behind a root where the sign is that of the search, if there is one before `end`.
-    pub fn behind(&self, root: f64, end: f64) -> Option<f64> {
-        let b2 = self.level();
+    /// The next place behind a root where the sign is that of the search, if there is one before `end`; seen by the same
+    /// roundings as all places are.
+    #[inline(always)]
+    fn behind<V: Lanes>(&self, root: f64, end: f64) -> Option<f64> {
         let mut step = self.grain();
         loop {
-            let s = root + step;
-            if !(s < end) {
-                return None;
+            let places = V::splat(root) + V::of([1.0, 2.0, 4.0, 8.0]) * V::splat(step);
+            let look = stretches(self.set, self.line.start::<V>(places));
+            for (s, inside) in places.array().into_iter().zip(look.inside) {
+                if !(s < end) {
+                    return None;
+                }
+                if inside == self.inside {
+                    return Some(s);
+                }
             }
-            if (self.line.value(self.set, s).0 > b2) != self.inside {
-                return Some(s);
-            }
-            step *= 2.0;
+            step *= 16.0;
         }
     }
 
@@ -170,10 +205,11 @@ impl Search<'_> {
         4.0 * self.set.bailout() * self.set.bailout()
     }
 
-    /// Two places closer than this are one: their coordinates differ by roundings only.
+    /// Two places closer than this are one: their coordinates differ by roundings only. A line's middle and half its chord together are
+    /// at most `√2` of the ball's radius.
+    #[inline(always)]
     fn grain(&self) -> f64 {
-        let line = self.line;
-        4.0 * U * (line.enter.abs().max(line.leave.abs()) + line.middle.length())
+        6.0 * U * self.grid.radius * self.line.per_length
     }
 
     /// Where Newton's step leads from place `i`, which has the other sign, or from the one before it, whichever is nearer to the surface.
@@ -188,15 +224,17 @@ impl Search<'_> {
         places[from] - log(from) * look.alpha[from] / look.delta[from]
     }
 
-    /// A root between two places of different sign, by Newton's steps on `ln |q|`, and bisection where they leave.
+    /// A root between two places of different sign, by Newton's steps on `ln |q|`, and bisection where they leave or do not
+    /// get shorter.
     ///
     /// `|q_N|` grows like an exponential, its logarithm almost evenly; `½ ln z = (z − 1)/(z + 1) + O((z − 1)³)` is
-    /// near enough close to the root. Each step squares the error.
+    /// near enough close to the root. A step of Newton's from an error `e` leaves `C e²`. So the step after it is `C e²` long, which
+    /// tells `C`, and leaves `C (C e²)² = step³/last²`.
     #[inline(always)]
     fn root(&self, [mut before, mut behind]: [f64; 2], guess: f64, grain: f64) -> f64 {
         let b2 = self.level();
-        let last = LAST * grain;
         let mut s = if before < guess && guess < behind { guess } else { 0.5 * (before + behind) };
+        let (mut last, mut by_newton) = (behind - before, false);
         while behind - before > grain {
             let (n, half_dn) = self.line.value(self.set, s);
             if (n > b2) != self.inside {
@@ -205,11 +243,14 @@ impl Search<'_> {
                 behind = s;
             }
             let step = (n - b2) / (n + b2) * n / half_dn;
-            let next = s - step;
-            if step.abs() <= last {
+            let (next, step) = (s - step, step.abs());
+            let shorter = step < 0.5 * last;
+            if by_newton && shorter && step * step * step <= grain * last * last {
                 return next.clamp(before, behind);
             }
-            s = if before < next && next < behind { next } else { 0.5 * (before + behind) };
+            by_newton = shorter && before < next && next < behind;
+            (s, last) =
+                if by_newton { (next, step) } else { (0.5 * (before + behind), 0.5 * (behind - before)) };
         }
         behind
     }
@@ -222,21 +263,20 @@ impl Front {
         self.root.unwrap_or(self.end)
     }
 
-    /// Four places to look at next: about the middles of quarters; denser towards a root; from the very start on
-    /// where its sign is to be seen.
+    /// Four places to look at next, as shares of a width: about the middles of quarters; denser towards a root; from the very
+    /// start on where its sign is to be seen.
     #[inline(always)]
-    fn places(&self) -> [f64; LANES] {
+    fn places(&self) -> (&'static [f64; LANES], f64) {
         let rest = self.stop() - self.clear;
         let width = self.width.min(rest);
         if self.fresh {
-            return FRESH.map(|x| self.clear + x * width);
+            (&FRESH, width)
+        } else if self.root.is_some() && rest <= NEAR * self.width {
+            (&TOWARDS, rest)
+        } else if self.away {
+            (&AWAY, width)
+        } else {
+            (&EVEN, width)
         }
-        if self.root.is_some() && rest <= NEAR * self.width {
-            return TOWARDS.map(|x| self.clear + x * rest);
-        }
-        if self.away {
-            return AWAY.map(|x| self.clear + x * width);
-        }
-        EVEN.map(|x| self.clear + x * width)
     }
 }

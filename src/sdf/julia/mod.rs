@@ -36,7 +36,7 @@ use glam::{DVec2, DVec3, DVec4};
 use grid::Grid;
 use lanes::Plain;
 use line::Line;
-use march::{Ask, Found, Search};
+use march::{Ask, Begin, Found, Search};
 use set::Set;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
@@ -154,13 +154,13 @@ impl Julia {
         p.length() <= self.grid.radius && self.set.value(p).size <= self.bailout()
     }
 
-    fn search(&self, search: &Search, from: f64, end: f64, fresh: bool) -> Found {
+    fn search(&self, search: &Search, begin: Begin, end: f64) -> Found {
         #[cfg(target_arch = "x86_64")]
-        if self.vectors == Vectors::Widest && std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has AVX2.
-            return unsafe { search_avx2(search, from, end, fresh) };
+        if self.vectors == Vectors::Widest && lanes::has_avx2() {
+            // SAFETY: the processor has AVX2 and FMA3.
+            return unsafe { search_avx2(search, begin, end) };
         }
-        search.run::<Plain>(from, end, fresh)
+        search.run::<Plain>(begin, end)
     }
 
     /// Visits the changes of sign along a line from `from` on, in order, each with what is behind it: inside or not.
@@ -173,10 +173,10 @@ impl Julia {
     ) {
         let mut search = Search { set: &self.set, grid: &self.grid, line, inside: false, ask };
         // Before the ball a ray is outside.
-        let (mut from, mut fresh) = if from > line.enter { (from, true) } else { (line.enter, false) };
+        let mut begin = if from > line.enter { Begin::Unseen(from) } else { Begin::Known(line.enter) };
         let end = end.min(line.leave);
         loop {
-            match self.search(&search, from, end, fresh) {
+            match self.search(&search, begin, end) {
                 Found::Nothing => return,
                 Found::OtherSide => search.inside = !search.inside,
                 Found::At(s) => {
@@ -184,8 +184,7 @@ impl Julia {
                     if visit(s, search.inside).is_break() {
                         return;
                     }
-                    let Some(behind) = search.behind(s, end) else { return };
-                    (from, fresh) = (behind, true);
+                    begin = Begin::Behind(s);
                 }
             }
         }
@@ -224,12 +223,12 @@ fn survey(set: &Set) -> Grid {
     let radius = set.radius().unwrap_or(0.0);
     #[cfg(target_arch = "x86_64")]
     {
-        #[target_feature(enable = "avx2")]
+        #[target_feature(enable = "avx2,fma")]
         fn avx2(set: &Set, radius: f64) -> Grid {
             Grid::new::<lanes::Avx2>(set, radius)
         }
-        if std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has AVX2.
+        if lanes::has_avx2() {
+            // SAFETY: the processor has AVX2 and FMA3.
             return unsafe { avx2(set, radius) };
         }
     }
@@ -237,9 +236,9 @@ fn survey(set: &Set) -> Grid {
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
-fn search_avx2(search: &Search, from: f64, end: f64, fresh: bool) -> Found {
-    search.run::<lanes::Avx2>(from, end, fresh)
+#[target_feature(enable = "avx2,fma")]
+fn search_avx2(search: &Search, begin: Begin, end: f64) -> Found {
+    search.run::<lanes::Avx2>(begin, end)
 }
 
 /// Longitude from +x towards −z and latitude from the south pole, as of a sphere.

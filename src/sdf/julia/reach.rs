@@ -17,7 +17,7 @@
 //! For the ratio `y_n = m_n/β_n h` obeys `y_{n+1} = y_n (1 + x_n y_n)` with `x_n = β_n h/2α_n`, so `1/y_{n+1} ≥ 1/y_n − x_n`, and
 //! the `x_n` add up to `x`, because `κ/β` grows by `β_n/2α_n` a step.
 //!
-//! Along a line with unit direction, `δ = d|q_n|/dh`, and since a norm is convex,
+//! Along a line `δ = d|q_n|/dh`, and since a norm is convex,
 //!
 //! ```text
 //! |q_n(h)| ≥ α + δ h − κ h²/(1 − x)                                                               (3)
@@ -45,6 +45,8 @@ pub(super) struct Start<V> {
     pub dy: V,
     /// Half the derivative of `z`.
     pub half_dz: V,
+    /// `β₀`: the length of the line's direction; `h` counts such lengths.
+    pub beta: V,
 }
 
 /// The iterates at which four places are decided.
@@ -62,21 +64,21 @@ struct Iterates<V> {
 /// Iterates four places until each is far enough outside to be decided, or to the last level.
 #[inline(always)]
 fn iterate<V: Lanes>(set: &Set, start: Start<V>) -> Iterates<V> {
-    let Start { mut x, mut y, mut z, mut dx, mut dy, mut half_dz } = start;
+    let Start { mut x, mut y, mut z, mut dx, mut dy, mut half_dz, mut beta } = start;
     let (half, c0, k, least) =
         (V::splat(0.5), V::splat(set.c0_twice), V::splat(set.k_twice), V::splat(LEAST));
-    let (zero, mut beta, mut kappa) = (V::splat(0.0), V::splat(1.0), V::splat(0.0));
+    let (zero, mut kappa) = (V::splat(0.0), V::splat(0.0));
     let mut out = Iterates { n: zero, half_dn: zero, beta, kappa, threshold: zero };
     let mut open = half.above(zero);
     for (i, level) in set.levels.iter().enumerate() {
-        let (x2, y2, xdx, ydy) = (x * x, y * y, x * dx, y * dy);
-        let n = x2 + (y2 + z);
+        let (x2, rest, xdx, across) = (x * x, y.mul_add(y, z), x * dx, y.mul_add(dy, half_dz));
+        let n = x2 + rest;
         // At the last level what is still open is decided, before it what has gone far enough.
         let last = i + 1 == set.levels.len();
         let decided = if last { open } else { open.and(n.above(V::splat(level.stop))) };
         if decided.any() {
             out.n = decided.pick(n, out.n);
-            out.half_dn = decided.pick(xdx + (ydy + half_dz), out.half_dn);
+            out.half_dn = decided.pick(xdx + across, out.half_dn);
             out.beta = decided.pick(beta, out.beta);
             out.kappa = decided.pick(kappa, out.kappa);
             out.threshold = decided.pick(V::splat(level.threshold), out.threshold);
@@ -86,14 +88,14 @@ fn iterate<V: Lanes>(set: &Set, start: Start<V>) -> Iterates<V> {
             }
         }
         let twice = (n + least).sqrt();
-        kappa = beta * beta + twice * kappa;
+        kappa = beta.mul_add(beta, twice * kappa);
         beta = twice * beta;
-        let next_dx = xdx - (ydy + half_dz);
-        dy = x * dy + y * dx;
+        let next_dx = xdx - across;
+        dy = x.mul_add(dy, y * dx);
         dx = next_dx;
-        half_dz = xdx * z + x2 * half_dz;
-        y = x * y + k;
-        x = half * (x2 - (y2 + z)) + c0;
+        half_dz = xdx.mul_add(z, x2 * half_dz);
+        y = x.mul_add(y, k);
+        x = half.mul_add(x2 - rest, c0);
         z = x2 * z;
     }
     out
@@ -184,7 +186,7 @@ pub(super) fn free(set: &Set, at: DVec3) -> f64 {
     let at = Reduced::doubled(set.reduced(at, set.w()));
     let still = Plain::splat(0.0);
     let [x, y, z] = at.map(Plain::splat);
-    let it = iterate(set, Start { x, y, z, dx: still, dy: still, half_dz: still });
+    let it = iterate(set, Start { x, y, z, dx: still, dy: still, half_dz: still, beta: Plain::splat(1.0) });
     let gap = Plain::splat(0.5) * it.n.sqrt() - it.threshold;
     let gap = gap.above(still).pick(gap, still - gap);
     ball(gap, it.beta, it.kappa / it.beta).array()[0]
