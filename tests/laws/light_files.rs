@@ -368,7 +368,7 @@ fn extreme_lights_are_refused_or_stay_numbers() {
         "SphereLight { Center 0 1e155 0 Radius 5e154 Radiance 1 1 1 }",
         "TriangleLight { V0 0 4 0 V1 1e200 4 0 V2 0 4 1e200 Radiance 1 1 1 }",
     ] {
-        let wrong = read(&format!("{head}{light}\n"), "t").err().expect("an error").render(Color::Never);
+        let wrong = read(&format!("{head}{light}\n"), "t").expect_err("an error").render(Color::Never);
         assert!(wrong.contains("t:4:1: error: the light is too large") && wrong.contains("1e70"), "{wrong}");
     }
     for light in [
