@@ -58,7 +58,8 @@ const SAMPLING: Param = Param::new(
     "of a light with Radiance: are the points spread evenly over its area, or over what is seen of it?",
 )
 .extension();
-/// Sobol's points err least in lesson 19; on a sphere by solid angle, 29 times less than by area.
+/// Of the patterns that err as noise, not as bands, Sobol's err least in lesson 19: 16 points err 0.6 times as much as
+/// jittered ones by area, and on a sphere 17 times less by solid angle than by area.
 const SPREAD: Param = Param { default: Default::Word("sobol"), ..PLACEMENT };
 const SAMPLES: Param = Param::new(
     "Samples",
