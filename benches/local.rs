@@ -14,9 +14,9 @@ use lightbench::ray::RayKind;
 use lightbench::render::{Picture, render};
 use lightbench::sample::uniform;
 use lightbench::scene::Scene;
-use lightbench::scene_file::{Color, read};
 use lightbench::shape::fan::Vectors;
 use lightbench::shape::sphere::method::{algebraic, geometric, robust};
+use lightbench_kit::scene_file::{Color, read};
 use std::hint::black_box;
 use std::time::Duration;
 

@@ -19,12 +19,12 @@ mod spaces;
 mod stage;
 
 use glam::{DVec2, Vec3Swizzles};
-use lightbench::kit::figure::{grouped, short};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{self, Method};
 use lightbench::num::statistics::Moments;
 use lightbench::sample::{Sampler, cosine_hemisphere, uniform_disc};
 use lightbench::scene::pinhole::{coaxial_discs_share, hole_solid_angle};
+use lightbench_kit::figure::{grouped, short};
+use lightbench_kit::lesson::{Lesson, Result};
 use std::f64::consts::{PI, TAU};
 use std::ops::RangeInclusive;
 

@@ -11,13 +11,13 @@
 //! Figure:     02_sphere_speed_accuracy_time.svg
 
 use glam::DVec3;
-use lightbench::kit::figure::short;
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Point, Series, Tally, log_slope};
 use lightbench::num::gamma;
 use lightbench::num::real::{Real, Triple};
 use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::shape::sphere::method::{Pair, algebraic, geometric, in_front, robust};
+use lightbench_kit::figure::short;
+use lightbench_kit::lesson::{Lesson, Result};
 
 #[path = "02_sphere/asides.rs"]
 mod asides;

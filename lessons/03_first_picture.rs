@@ -14,11 +14,11 @@ mod figures;
 use experiment::{Line, Measured, Way, changes, measured, mid, neighbours, rmse, room, shoot, soft, wall};
 use figures::{ERROR, after_the_hit, costs, documents, grid_or_jittered, panels, penumbra, shadows, sizes};
 use lightbench::integrator::{Local, Stage};
-use lightbench::kit::figure::{Axis, Chart};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Point, Series, Slope, Z, log_slope, quantised};
 use lightbench::render::{Picture, render};
 use lightbench::sample::Pattern::{Centres, Jittered};
+use lightbench_kit::figure::{Axis, Chart};
+use lightbench_kit::lesson::{Lesson, Result};
 
 const POINT: &str = include_str!("../scenes/d01_point_light.scene");
 const D_SECONDS: [f64; 2] = [0.1981, 0.5203]; // point light, 10 × 10 points; 512 × 512 pixels, GTX 560 [D §6]

@@ -7,7 +7,6 @@
 //! Figure:     04_flat_things_leaks_time.svg
 
 use glam::DVec3;
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Point, Series, Spread, time_each};
 use lightbench::num::U;
 use lightbench::ray::Ray;
@@ -15,6 +14,7 @@ use lightbench::shape::Sides::Both;
 use lightbench::shape::triangle::{
     Meeting, PreparedRay, as_printed, icosphere, moller_trumbore, plane_and_areas,
 };
+use lightbench_kit::lesson::{Lesson, Result};
 use rayon::prelude::*;
 
 #[path = "04_flat_things/bounds.rs"]

@@ -6,12 +6,12 @@
 //! Predict:    a ring is seen from 3000 ring radii. What share of its roots does the printed quartic keep?
 //! Figure:     05_torus_speed_accuracy_time.svg
 
-use lightbench::kit::figure::short;
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Point, Series, Tally, log_spaced, time_each};
 use lightbench::num::U;
 use lightbench::shape::Shape;
 use lightbench::shape::torus::TorusMethod;
+use lightbench_kit::figure::short;
+use lightbench_kit::lesson::{Lesson, Result};
 
 #[path = "05_torus/figures.rs"]
 mod figures;

@@ -21,10 +21,10 @@ mod printed;
 
 use body::{Body, Kind, Rival};
 use glam::DVec3;
-use lightbench::kit::figure::short;
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Point, Series, Spread, Tally, log_spaced, time_each};
 use lightbench::num::U;
+use lightbench_kit::figure::short;
+use lightbench_kit::lesson::{Lesson, Result};
 
 const PLACE: DVec3 = DVec3::new(0.612_372_435_7, 0.643_767_529_1, 0.458_870_231_3); // unit vector to the shape; no round numbers
 const DISTANCES: (f64, f64) = (1.0e1, 1.0e8); // radii

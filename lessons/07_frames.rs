@@ -20,10 +20,10 @@ mod stage;
 
 use glam::{DMat3, DQuat, DVec3, dvec3};
 use lightbench::frame::{duff, frisvad, transform_normal};
-use lightbench::kit::figure::short;
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Point, Series, log_spaced, rounding};
 use lightbench::num::real::Real;
+use lightbench_kit::figure::short;
+use lightbench_kit::lesson::{Lesson, Result};
 use measured::{defects, quaternions_agree, tilts};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 

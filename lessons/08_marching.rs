@@ -6,10 +6,10 @@
 //! Predict:    a field is twice as steep as a distance, and a ray leaps by all of it. What share of the pixels is wrong?
 //! Figure:     08_marching_speed_accuracy_time.svg
 
-use lightbench::kit::figure::{grouped, short};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Failures, Method, Point, Series, Spread, log_spaced, time_each};
 use lightbench::ray::Ray;
+use lightbench_kit::figure::{grouped, short};
+use lightbench_kit::lesson::{Lesson, Result};
 
 #[path = "08_marching/contestant.rs"]
 mod contestant;

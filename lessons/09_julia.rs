@@ -7,13 +7,13 @@
 //! Figure:     09_julia_set.png, 09_julia_speed_accuracy_time.svg, 09_julia_overshoot.svg, 09_julia_overflow_f32.svg
 
 use glam::DVec4;
-use lightbench::kit::figure::short;
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Point, Series, log_spaced};
 use lightbench::num::double_double::DoubleDouble;
 use lightbench::ray::Ray;
 use lightbench::sdf::julia::JuliaMethod;
 use lightbench::sdf::julia::orbit::{estimate, safe_step};
+use lightbench_kit::figure::short;
+use lightbench_kit::lesson::{Lesson, Result};
 
 #[path = "09_julia/charts.rs"]
 mod charts;

@@ -7,10 +7,10 @@
 //! Figure:     10_csg_speed_accuracy_time.svg, 10_csg_coincident.svg, 10_csg_roots.svg
 
 use lightbench::integrator::Local;
-use lightbench::kit::figure::{Figure, Panels, Pixels, short};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::render::{Picture, render};
-use lightbench::scene_file::{Color, read_file};
+use lightbench_kit::figure::{Figure, Panels, Pixels, short};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
+use lightbench_kit::scene_file::{Color, read_file};
 use std::path::Path;
 
 #[path = "10_csg/cases.rs"]

@@ -6,10 +6,10 @@
 //! Predict:    a cylinder of 1000 sides is 0.005 ‰ too thin. How many sides until f64 sees no difference?
 //! Figure:     11_meshes_silhouette.svg, 11_meshes_speed_accuracy_time.svg, 11_meshes_cracks.svg
 
-use lightbench::kit::figure::{grouped, short};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::mesh::{HalfEdges, Topology, tessellate};
 use lightbench::num::U;
+use lightbench_kit::figure::{grouped, short};
+use lightbench_kit::lesson::{Lesson, Result};
 
 #[path = "11_meshes/broken.rs"]
 mod broken;

@@ -6,9 +6,9 @@
 //! Predict:    a mesh grows from a thousand triangles to a million. By what factor does a ray slow down?
 //! Figure:     12_nearest_of_many_scaling_time.svg
 
-use lightbench::kit::figure::grouped;
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, log_spaced};
+use lightbench_kit::figure::grouped;
+use lightbench_kit::lesson::{Lesson, Result};
 
 #[path = "12_nearest_of_many/charts.rs"]
 mod charts;

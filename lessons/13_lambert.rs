@@ -22,8 +22,8 @@ mod pictures;
 #[path = "13_lambert/study.rs"]
 mod study;
 
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::render::Picture;
+use lightbench_kit::lesson::{Lesson, Result};
 use model::{Made, SIMPLIFIED};
 use overexposed::{Way, turns};
 use study::{Study, given_up};

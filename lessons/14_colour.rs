@@ -25,8 +25,8 @@ use lightbench::color::models::{complement, degrees, hls_from_rgb, hsv_from_rgb}
 use lightbench::color::spectrum::Matching;
 use lightbench::color::xyz::{D65, xyy_from_xyz, xyz_from_rgb};
 use lightbench::color::{luminance, srgb_decode};
-use lightbench::kit::figure::short;
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
+use lightbench_kit::figure::short;
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 use pictures::ORANGE;
 use solids::Model;
 

@@ -9,10 +9,10 @@
 //! Figure:     15_highlights_powers_time.svg, 15_highlights_residual.svg, 15_highlights_infinity.svg
 
 use lightbench::bsdf::highlight::{Match, mismatch};
-use lightbench::kit::figure::short;
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::light::LightError;
 use lightbench::measure::{Method, Series};
+use lightbench_kit::figure::short;
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 
 #[path = "15_highlights/charts.rs"]
 mod charts;

@@ -7,8 +7,8 @@
 //! Figure:     16_reflection_models_furnace.svg, 16_reflection_models_spheres.svg
 
 use lightbench::bsdf::{Blinn, BlinnScale, Brdf, CookTorrance, ParameterError, Phong};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::measure::{Method, Series, log_spaced, sweep};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 
 #[path = "16_reflection_models/charts.rs"]
 mod charts;

@@ -22,10 +22,10 @@ mod pictures;
 mod stage;
 
 use charts::{Row, Sweep, row};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Series};
 use lightbench::num::U;
 use lightbench::render::Picture;
+use lightbench_kit::lesson::{Lesson, Result};
 use stage::{OMNI, knot, omni, ring_of_lights, room, sphere_on_floor, swarm};
 
 const FAR: [f64; 26] = [

@@ -7,9 +7,9 @@
 //! Predict:    64-bit numbers instead of 32: does the share of false shadows without a remedy fall?
 //! Figure:     18_self_intersection_speed_time.svg
 
-use lightbench::kit::figure::grouped;
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::render::Picture;
+use lightbench_kit::figure::grouped;
+use lightbench_kit::lesson::{Lesson, Result};
 
 #[path = "18_self_intersection/bodies.rs"]
 mod bodies;

@@ -23,11 +23,11 @@ mod place;
 
 use contest::Contest;
 use diagrams::Bias;
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::light::Measure;
 use lightbench::measure::Z;
 use lightbench::render::Picture;
 use lightbench::sample::Pattern;
+use lightbench_kit::lesson::{Lesson, Result};
 use maps::{Far, Near};
 use penumbra::{FEW, GRID, Penumbra};
 use pictures::Marked;

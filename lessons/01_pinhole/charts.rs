@@ -3,14 +3,14 @@
 use super::{DEPTH, DISTANCE, HOLES, PHOTONS, REPETITIONS, obscura, photons, spaces, stage};
 use glam::{DVec2, DVec3, dvec2};
 use lightbench::film::Image;
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, grouped, short};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Series};
 use lightbench::sample::{point2, uniform, uniform_disc};
 use lightbench::scene::pinhole::{
     blur, diffraction_blur, hole_solid_angle, obscura_line, shadow_blur, sharpest_hole, solid_angle_density,
 };
 use lightbench::scene::{Camera, FieldOfView, obscura_from_camera};
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, grouped, short};
+use lightbench_kit::lesson::{Lesson, Result};
 use std::f64::consts::TAU;
 
 const GREEN: f64 = 550.0e-9; // m, wavelength

@@ -2,9 +2,9 @@
 
 use super::photons::meets;
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use lightbench::kit::figure::{Diagram, Figure, Light, Space};
 use lightbench::sample::uniform;
 use lightbench::scene::{Camera, FieldOfView, obscura_from_camera};
+use lightbench_kit::figure::{Diagram, Figure, Light, Space};
 
 pub fn told(diagram: Diagram, caption: &str) -> Figure {
     Figure::from(diagram).caption(caption)

@@ -3,8 +3,8 @@
 use super::obscura::told;
 use super::{DISTANCE, HOLES, PHOTONS};
 use glam::{DVec2, DVec3, Vec3Swizzles, dvec2, dvec3};
-use lightbench::kit::figure::{Diagram, Figure, Light, grouped};
 use lightbench::sample::{point2, uniform, uniform_sphere};
+use lightbench_kit::figure::{Diagram, Figure, Light, grouped};
 use std::f64::consts::{PI, TAU};
 
 /// Where a line first meets a ball, in lengths of its direction; lesson 02 does it with care.

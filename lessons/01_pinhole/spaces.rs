@@ -2,8 +2,8 @@
 
 use super::obscura::told;
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use lightbench::kit::figure::{Diagram, Figure, Light, Space};
 use lightbench::scene::{Camera, FieldOfView, camera_from_screen, ndc_from_raster, screen_from_ndc};
+use lightbench_kit::figure::{Diagram, Figure, Light, Space};
 
 /// A number as short as it is: 0.75, −1.2, 1.
 pub fn plain(x: f64) -> String {

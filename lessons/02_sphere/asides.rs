@@ -1,8 +1,6 @@
 //! Side questions of lesson 02: where each method fails, what early exits save, what the printed listings lose.
 
 use super::{Line, RADIUS, WIDEST, figures, line_at, lines};
-use lightbench::kit::figure::{Axis, FailureMap, Figure};
-use lightbench::kit::lesson::Lesson;
 use lightbench::measure::{Spread, Tally, timed};
 use lightbench::num::counted::{Counted, count};
 use lightbench::num::real::{Real, Triple};
@@ -10,6 +8,8 @@ use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::shape::sphere::as_printed;
 use lightbench::shape::sphere::method::{self, Pair, algebraic, geometric, in_front, robust};
 use lightbench::shape::sphere::reference::Meeting;
+use lightbench_kit::figure::{Axis, FailureMap, Figure};
+use lightbench_kit::lesson::Lesson;
 use std::hint::black_box;
 
 const MAP: std::ops::Range<f64> = 1.0..1.0e8; // distance/radius

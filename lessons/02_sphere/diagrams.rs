@@ -1,11 +1,11 @@
 //! Diagrams of lesson 02: what the words mean; the examples of [C] are drawn to scale.
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use lightbench::kit::figure::font::plain;
-use lightbench::kit::figure::{Diagram, Figure, Light, Space, Table, short};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::num::real::{Triple, dot};
 use lightbench::shape::sphere::method::{algebraic, algebraic_first, in_front, robust};
+use lightbench_kit::figure::font::plain;
+use lightbench_kit::figure::{Diagram, Figure, Light, Space, Table, short};
+use lightbench_kit::lesson::{Lesson, Result};
 
 fn captioned(diagram: Diagram, caption: &str, alt: &str) -> Figure {
     Figure::from(diagram.alt(alt)).caption(caption)

@@ -2,10 +2,10 @@
 
 use super::asides::Cost;
 use glam::{DVec3, dvec3};
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, Table, short};
 use lightbench::measure::{Method, Series};
 use lightbench::num::real::Triple;
 use lightbench::shape::sphere::method::{Pair, algebraic, in_front, robust};
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, Table, short};
 
 type Contest = [(Method, Series)];
 

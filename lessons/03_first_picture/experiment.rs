@@ -7,14 +7,14 @@ use lightbench::color::Rgb;
 use lightbench::film::Image;
 use lightbench::film::metric::compare;
 use lightbench::integrator::{Integrator, Local, Stage};
-use lightbench::kit::lesson::{LessonError, Result};
 use lightbench::light::Light;
 use lightbench::measure::{Point, Tally, quantised, timed};
 use lightbench::ray::{Ray, Silent, Trace};
 use lightbench::render::{Picture, render};
 use lightbench::sample::{Pattern, Sampler};
 use lightbench::scene::{Camera, FieldOfView, Scene};
-use lightbench::scene_file::{Color, read};
+use lightbench_kit::lesson::{LessonError, Result};
+use lightbench_kit::scene_file::{Color, read};
 use std::f64::consts::FRAC_1_PI;
 use std::fmt::Display;
 

@@ -6,10 +6,6 @@ use glam::{DVec3, dvec2, dvec3};
 use lightbench::color::Rgb;
 use lightbench::film::metric::compare;
 use lightbench::integrator::{Local, Stage};
-use lightbench::kit::figure::{
-    self, Axis, Chart, Diagram, ErrorPanel, Figure, Guide, Panels, Pixels, Shades, Table,
-};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Point, Series};
 use lightbench::ray::Ray;
 use lightbench::render::{Picture, render};
@@ -17,6 +13,10 @@ use lightbench::sample::Pattern::Centres;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::Shape;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::figure::{
+    self, Axis, Chart, Diagram, ErrorPanel, Figure, Guide, Panels, Pixels, Shades, Table,
+};
+use lightbench_kit::lesson::{Lesson, Result};
 
 pub const ERROR: &str = "error of radiance, RMSE [W m⁻² sr⁻¹]";
 

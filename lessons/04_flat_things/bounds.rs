@@ -3,11 +3,11 @@
 use super::LEVELS;
 use glam::DVec3;
 use lightbench::bounds::Aabb;
-use lightbench::kit::figure::Table;
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::ray::Ray;
 use lightbench::sample::{Sampler, uniform_sphere, uniform_triangle};
 use lightbench::shape::triangle::{Facing, PreparedRay, icosphere};
+use lightbench_kit::figure::Table;
+use lightbench_kit::lesson::{Lesson, Result};
 
 /// Where the scene lies [m]: far away, a fixed pad of 10⁻⁶ is less than a step of an f64.
 const PLACES: [f64; 3] = [0.0, 1.0e6, 1.0e12];

@@ -2,12 +2,12 @@
 
 use super::{Face, Outcome, RADII, TIMED};
 use glam::{DMat3, DVec3};
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Table};
-use lightbench::kit::lesson::Lesson;
 use lightbench::measure::Method;
 use lightbench::ray::Ray;
 use lightbench::sample::{Sampler, uniform_triangle};
 use lightbench::shape::triangle::{Meeting, PreparedRay};
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Table};
+use lightbench_kit::lesson::Lesson;
 
 /// Leaks against time.
 pub fn leaks(results: &[(Method, Outcome); 4], rays: u32) -> Chart {

@@ -1,11 +1,11 @@
 //! The documents' drawings of flat things.
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use lightbench::kit::figure::{Diagram, Light, Space};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::ray::Ray;
 use lightbench::shape::disc::Disc;
 use lightbench::shape::triangle::{Meeting, PreparedRay};
+use lightbench_kit::figure::{Diagram, Light, Space};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 use std::f64::consts::TAU;
 
 pub fn save(lesson: &Lesson) -> Result {

@@ -3,8 +3,6 @@
 use glam::{DVec3, dvec2, dvec3};
 use lightbench::color::Rgb;
 use lightbench::film::Image;
-use lightbench::kit::figure::Panels;
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::ray::{Hit, Ray};
 use lightbench::scene::{Camera, FieldOfView};
 use lightbench::shape::Shape;
@@ -12,6 +10,8 @@ use lightbench::shape::sphere::Sphere;
 use lightbench::shape::triangle::{
     Meeting, PreparedRay, Triangle, icosphere, interpolated_normal, terminator_point,
 };
+use lightbench_kit::figure::Panels;
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 use rayon::prelude::*;
 
 const COARSE: u32 = 1; // 80 faces

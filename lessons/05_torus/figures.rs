@@ -4,10 +4,6 @@ use super::hole::Hole;
 use super::{Contest, RING};
 use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2, dvec3};
 use lightbench::integrator::Local;
-use lightbench::kit::figure::{
-    Axis, Bars, Chart, Diagram, FailureMap, Figure, Guide, Light as Pen, Panels, Pixels, Table, short,
-};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::measure::{Method, Spread};
 use lightbench::render::{Picture, render};
@@ -16,6 +12,10 @@ use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::instance::Instance;
 use lightbench::shape::torus::{Torus, TorusMethod};
+use lightbench_kit::figure::{
+    Axis, Bars, Chart, Diagram, FailureMap, Figure, Guide, Light as Pen, Panels, Pixels, Table, short,
+};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 
 /// A method with the style that it keeps in every chart of the lesson.
 pub fn method(method: TorusMethod) -> Method {

@@ -2,9 +2,9 @@
 
 use super::rays::{Question, question, turns};
 use super::{CLOSE, DISTANCE, RATIO, figures, measured};
-use lightbench::kit::figure::{Axis, FailureMap, Figure};
-use lightbench::kit::lesson::Lesson;
 use lightbench::shape::torus::TorusMethod;
+use lightbench_kit::figure::{Axis, FailureMap, Figure};
+use lightbench_kit::lesson::Lesson;
 
 /// Columns, rows, and the questions of each cell, row by row.
 pub type Cells = ((usize, usize), Vec<Vec<Question>>);

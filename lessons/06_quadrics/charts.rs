@@ -3,12 +3,12 @@
 use super::body::{Body, Kind, Rival};
 use super::{WORLD, error_at, judge};
 use glam::{DVec2, dvec3};
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Table, short};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, Series, Spread, Tally, log_spaced};
 use lightbench::num::U;
 use lightbench::ray::Ray;
 use lightbench::sample::Sampler;
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Table, short};
+use lightbench_kit::lesson::{Lesson, Result};
 use std::f64::consts::TAU;
 
 type Contest = [(Method, Series)];

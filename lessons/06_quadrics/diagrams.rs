@@ -1,12 +1,12 @@
 //! Diagrams of lesson 06: what a cylinder is made of, and where its normals come from.
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use lightbench::kit::figure::{Diagram, Figure, Light, Space};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::ray::{Crossing, Ray};
 use lightbench::shape::Shape;
 use lightbench::shape::cone::{Cone, Ends};
 use lightbench::shape::cylinder::Cylinder;
+use lightbench_kit::figure::{Diagram, Figure, Light, Space};
+use lightbench_kit::lesson::{Lesson, Result};
 use std::f64::consts::TAU;
 
 pub fn save(lesson: &Lesson) -> Result {

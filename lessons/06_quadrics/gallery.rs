@@ -4,13 +4,13 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 use lightbench::bounds::Aabb;
 use lightbench::color::srgb_encode;
 use lightbench::integrator::Local;
-use lightbench::kit::figure::{Figure, Panels, Pixels};
 use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::render::{Picture, render};
 use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::quadric::{ClippedQuadric, Quadric};
+use lightbench_kit::figure::{Figure, Panels, Pixels};
 
 /// What stands in each picture: its name, its surface, its colour.
 fn surfaces() -> [(&'static str, Quadric, DVec3); 8] {

@@ -3,13 +3,13 @@
 use super::PARABOLOID;
 use super::body::{Body, FirstOf, first_positive};
 use glam::DVec2;
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Table};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Failures, Method, Series, Tally, log_spaced};
 use lightbench::ray::Ray;
 use lightbench::sample::{Sampler, uniform_disc};
 use lightbench::shape::cylinder::{FarEnd, textbook};
 use lightbench::shape::quadric::{self, Quadric};
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Table};
+use lightbench_kit::lesson::{Lesson, Result};
 use std::f64::consts::TAU;
 
 /// Relative error of t on a paraboloid, by the size of A_q: A's listing, A's formulas, ours.

@@ -3,10 +3,10 @@
 use super::moved::cost;
 use glam::{DMat3, DQuat, DVec3};
 use lightbench::frame::{Frame, rotation_about};
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, Table, short};
 use lightbench::measure::{Method, Series};
 use lightbench::num::U;
 use lightbench::sample::{Sampler, uniform_sphere};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, Table, short};
 use std::f64::consts::FRAC_PI_4;
 
 type Contest = [(Method, Series)];

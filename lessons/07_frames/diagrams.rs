@@ -2,8 +2,8 @@
 
 use glam::{DAffine2, DQuat, DVec2, DVec3, dvec2, dvec3};
 use lightbench::frame::Frame;
-use lightbench::kit::figure::{Diagram, Figure, Light, Space, short};
-use lightbench::kit::lesson::{Lesson, Result};
+use lightbench_kit::figure::{Diagram, Figure, Light, Space, short};
+use lightbench_kit::lesson::{Lesson, Result};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 pub fn save(lesson: &Lesson) -> Result {

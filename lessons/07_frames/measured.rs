@@ -2,10 +2,10 @@
 
 use glam::{DMat3, DQuat, DVec3, dvec3};
 use lightbench::frame::{Frame, rotation_about};
-use lightbench::kit::lesson::Lesson;
 use lightbench::measure::{Series, Tally};
 use lightbench::num::real::{Real, Triple};
 use lightbench::sample::{Sampler, uniform_sphere};
+use lightbench_kit::lesson::Lesson;
 use std::f64::consts::TAU;
 
 /// Two vectors square to a third.

@@ -1,7 +1,6 @@
 //! Shapes moved, turned and stretched, against shapes made in their place: truth, rays, contestants.
 
 use glam::{DAffine3, DMat3, DQuat, DVec3, dvec3};
-use lightbench::kit::lesson::Lesson;
 use lightbench::measure::{Method, Point, Series, Tally, time_each};
 use lightbench::num::double_double::DoubleDouble as Dd;
 use lightbench::ray::Ray;
@@ -12,6 +11,7 @@ use lightbench::shape::instance::Instance;
 use lightbench::shape::polyhedron::{ConvexPolyhedron, textbook};
 use lightbench::shape::quadric::Ellipsoid;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::lesson::Lesson;
 
 const PLACE: DVec3 = dvec3(0.612_372_435_7, 0.643_767_529_1, 0.458_870_231_3); // direction from the origin to the body
 const AXES: DVec3 = dvec3(1.0, 0.5, 2.0); // semi-axes of the ellipsoid, half the sides of the box

@@ -5,7 +5,6 @@ use lightbench::bounds::Aabb;
 use lightbench::film::Image;
 use lightbench::frame::unit;
 use lightbench::integrator::Local;
-use lightbench::kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades};
 use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::render::{Picture, render};
 use lightbench::sample::Pattern;
@@ -22,6 +21,7 @@ use lightbench::shape::quadric::{ClippedQuadric, Ellipsoid, Quadric};
 use lightbench::shape::sphere::Sphere;
 use lightbench::shape::torus::Torus;
 use lightbench::shape::triangle::Triangle;
+use lightbench_kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades};
 
 /// A ball under `stretch`, lit by its right normals and by M n, and the angle between them.
 pub fn normals(stretch: DVec3, size: usize) -> Figure {

@@ -2,13 +2,13 @@
 
 use super::{Contest, MOST_STEPS};
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use lightbench::kit::figure::{Axis, Chart, Diagram, Figure, Light as Pen};
 use lightbench::measure::{Method, Point, Series};
 use lightbench::ray::Ray;
 use lightbench::sdf::combine::Union;
 use lightbench::sdf::{DistanceField, March, Stride};
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::figure::{Axis, Chart, Diagram, Figure, Light as Pen};
 use std::f64::consts::TAU;
 
 /// How many times as long the second takes: `1/7`.

@@ -2,8 +2,6 @@
 
 use super::contestant::is_wrong;
 use glam::{DVec3, dvec3};
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, Table};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::Method;
 use lightbench::ray::Ray;
 use lightbench::sample::{Sampler, uniform_sphere};
@@ -12,6 +10,8 @@ use lightbench::sdf::{DistanceField, March};
 use lightbench::shape::Shape;
 use lightbench::shape::sphere::Sphere;
 use lightbench::shape::torus::Torus;
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, Table};
+use lightbench_kit::lesson::{Lesson, Result};
 use std::cell::Cell;
 
 const PLACES: u32 = 64; // where the scan looks for a sign

@@ -7,9 +7,6 @@ use super::{FAR, STEEP};
 use glam::{DVec2, DVec3, dvec3};
 use lightbench::color::Rgb;
 use lightbench::film::Image;
-use lightbench::kit::figure::colormap::viridis;
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, Shades, short};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Method, log_spaced};
 use lightbench::ray::Ray;
 use lightbench::sample::r2;
@@ -18,6 +15,9 @@ use lightbench::sdf::printed::AsPrinted;
 use lightbench::sdf::{DistanceField, March, Stride, central_difference};
 use lightbench::shape::Shape;
 use lightbench::shape::torus::Torus;
+use lightbench_kit::figure::colormap::viridis;
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, Shades, short};
+use lightbench_kit::lesson::{Lesson, Result};
 
 /// Ends of the colour scale [evaluations].
 const FEW: f64 = 4.0;

@@ -4,8 +4,6 @@ use super::Contest;
 use super::contestant::is_wrong;
 use glam::{DVec3, dvec3};
 use lightbench::integrator::Local;
-use lightbench::kit::figure::{Axis, Chart, Figure, grouped};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::light::{AreaLight, Emission, Light, PointLight};
 use lightbench::measure::{Failures, Method, Point, Series, Spread, time_each};
 use lightbench::ray::Ray;
@@ -16,6 +14,8 @@ use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::sdf::{DistanceField, FieldShape, Menger, Stride};
 use lightbench::shape::Shape;
 use lightbench::shape::plane::Plane;
+use lightbench_kit::figure::{Axis, Chart, Figure, grouped};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 
 /// Both methods over the depth.
 pub struct Sponges(Contest);

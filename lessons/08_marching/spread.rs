@@ -4,10 +4,10 @@ use super::FAR;
 use super::contestant::is_wrong;
 use super::stage::{self, Stage};
 use glam::DVec3;
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, grouped, short};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Failures, Method, Point, Series, log_spaced};
 use lightbench::sdf::{March, Stride};
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Guide, grouped, short};
+use lightbench_kit::lesson::{Lesson, Result};
 
 /// Shortest step at the eye [m].
 const TOLERANCE: f64 = 1.0e-5;

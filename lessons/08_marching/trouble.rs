@@ -4,8 +4,6 @@ use super::contestant::{Contestant, is_wrong};
 use super::stage::{FROM_THE_FLOOR, Stage};
 use super::{Contest, FAR, RIPPLES, STEEP};
 use glam::{DVec3, dvec3};
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::measure::{Failures, Method, Point, Series, log_spaced};
 use lightbench::ray::Ray;
 use lightbench::sdf::combine::Rippled;
@@ -14,6 +12,8 @@ use lightbench::sdf::printed::AsPrinted;
 use lightbench::sdf::{March, Stride};
 use lightbench::shape::Shape;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure};
+use lightbench_kit::lesson::{Lesson, Result};
 
 const AWAY: std::ops::Range<f64> = 1.0..1.0e12; // m; distance of the stage from the world's origin
 const NEAR_ENOUGH: std::ops::Range<f64> = 1.0e-9..1.0e-1; // m; ε
@@ -188,6 +188,6 @@ fn away(lesson: &Lesson) -> [FailureMap; 2] {
                 rays.iter().map(|r| (contestant.ask(&stage.field, r, accuracy).0, stage.by_formula(r)));
             Some(share(found, 1.0).failures.share())
         });
-        map.shades(lightbench::kit::figure::Shades::Linear).range(0.0, 1.0).failing_above(0.0, "wrong pixels")
+        map.shades(lightbench_kit::figure::Shades::Linear).range(0.0, 1.0).failing_above(0.0, "wrong pixels")
     })
 }

@@ -2,11 +2,11 @@
 
 use super::{MOST, PLAIN, TRUTH};
 use glam::DVec4;
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide};
 use lightbench::measure::{Method, Series, log_spaced};
 use lightbench::num::double_double::DoubleDouble;
 use lightbench::sdf::julia::orbit::{escape, quaternion, safe_step};
 use lightbench::sdf::julia::{JuliaMethod, March};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide};
 
 /// Ways with their measurements.
 pub type Contest<const N: usize> = [(Method, Series); N];

@@ -2,12 +2,12 @@
 
 use super::charts::Way;
 use super::{BAILOUT, PLAIN, VIEWED};
-use lightbench::kit::lesson::{LessonError, Result};
 use lightbench::measure::{Point, Tally, time_each};
 use lightbench::ray::Ray;
 use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::sdf::julia::{Julia, JuliaMethod};
 use lightbench::shape::Shape;
+use lightbench_kit::lesson::{LessonError, Result};
 
 /// Where rays set out [m from the middle], and how far from the middle they aim.
 pub const FROM: f64 = 4.0;

@@ -2,10 +2,10 @@
 
 use super::{MOST, PLAIN, VIEWED};
 use glam::{DVec2, DVec3, dvec2};
-use lightbench::kit::figure::{Diagram, Figure, Light, short};
-use lightbench::kit::lesson::{LessonError, Result};
 use lightbench::ray::Ray;
 use lightbench::sdf::julia::{Julia, JuliaMethod, Look, March};
+use lightbench_kit::figure::{Diagram, Figure, Light, short};
+use lightbench_kit::lesson::{LessonError, Result};
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 

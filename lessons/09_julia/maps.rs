@@ -2,8 +2,6 @@
 
 use super::{BAILOUT, PLAIN, VIEWED};
 use glam::DVec4;
-use lightbench::kit::figure::{Axis, FailureMap, Figure, Shades};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::num::double_double::DoubleDouble;
 use lightbench::num::real::Real;
 use lightbench::ray::Ray;
@@ -11,6 +9,8 @@ use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::sdf::julia::Julia;
 use lightbench::sdf::julia::orbit::{as_printed_estimate, escape, quaternion, safe_step};
 use lightbench::shape::Shape;
+use lightbench_kit::figure::{Axis, FailureMap, Figure, Shades};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 
 /// Rays that each cell of a map asks.
 const ASKED: u32 = 6;

@@ -3,8 +3,6 @@
 use super::VIEWED;
 use glam::{DAffine3, DVec3, DVec4, dvec2, dvec3};
 use lightbench::integrator::Local;
-use lightbench::kit::figure::{Figure, Panels, Pixels};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::render::{Picture, render};
 use lightbench::sample::Pattern;
@@ -12,6 +10,8 @@ use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::sdf::julia::Julia;
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::instance::Instance;
+use lightbench_kit::figure::{Figure, Panels, Pixels};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 
 /// A set, how much of its slice is shown, and its colour.
 struct Model {

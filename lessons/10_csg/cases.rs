@@ -5,7 +5,7 @@ use super::printed::AsPrinted;
 use super::solids::{COLOURS, EYE, ball, block, camera, cube, document, portrait, rays, solid};
 use glam::{DVec3, dvec3};
 use lightbench::csg::Tree;
-use lightbench::kit::figure::{Figure, Panels, Table, grouped};
+use lightbench_kit::figure::{Figure, Panels, Table, grouped};
 
 type Make = fn() -> Tree;
 /// Name, why the rule fails, and the solid.

@@ -4,9 +4,9 @@ use super::contestants::{Way, agree, truth};
 use super::solids::{EYE, ball, camera, cube, rays, rod, solid, sponge};
 use glam::{DAffine3, DVec3, dvec3};
 use lightbench::csg::Tree;
-use lightbench::kit::figure::{Axis, Chart, Figure};
 use lightbench::measure::{Method, Point, Series, Spread, Tally, time_each};
 use lightbench::ray::Ray;
+use lightbench_kit::figure::{Axis, Chart, Figure};
 
 /// Method, and a point for each tree.
 pub type Contest = [(Method, Series); 4];

@@ -5,12 +5,12 @@ use super::solids::{COLOURS, EYE, ball, camera, cube, document, portrait, ray_th
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use lightbench::csg::as_printed::{Mark, as_printed};
 use lightbench::csg::{Csg, Operation, Side, Tree};
-use lightbench::kit::figure::drawing::{Anchor, Drawing, Face, Fill, Rect, Stroke, Text};
-use lightbench::kit::figure::ink::{Hue, Ink};
-use lightbench::kit::figure::{Bar, Figure, Panels, Roots, Table};
 use lightbench::ray::{Ray, Span};
 use lightbench::shape::Solid;
 use lightbench::shape::cuboid::Cuboid;
+use lightbench_kit::figure::drawing::{Anchor, Drawing, Face, Fill, Rect, Stroke, Text};
+use lightbench_kit::figure::ink::{Hue, Ink};
+use lightbench_kit::figure::{Bar, Figure, Panels, Roots, Table};
 
 /// Box, sphere, and cylinders along x, y and z.
 const NAMES: [&str; 5] = ["box", "sphere", "rod x", "rod y", "rod z"];

@@ -3,7 +3,6 @@
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use lightbench::csg::{Csg, Operation, Tree};
 use lightbench::integrator::Local;
-use lightbench::kit::figure::Pixels;
 use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::ray::Ray;
 use lightbench::render::{Picture, render};
@@ -13,6 +12,7 @@ use lightbench::shape::Shape;
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::cylinder::Cylinder;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::figure::Pixels;
 
 /// Colours of box, sphere and the three cylinders, dark enough for white light.
 pub const COLOURS: [DVec3; 5] = [

@@ -5,13 +5,13 @@ use super::printed::ByLists;
 use super::solids::{COLOURS, portrait, solid};
 use glam::{DAffine3, DMat3, DVec3, dvec3};
 use lightbench::csg::Tree;
-use lightbench::kit::figure::{Axis, Chart, Figure, Panels};
 use lightbench::measure::{Method, Point, Series, Tally, log_spaced};
 use lightbench::ray::{Ray, Span};
 use lightbench::sample::uniform;
 use lightbench::shape::Solid;
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::instance::Instance;
+use lightbench_kit::figure::{Axis, Chart, Figure, Panels};
 use std::f64::consts::TAU;
 
 /// Half the plate's edge and half its thickness [m].

@@ -3,8 +3,8 @@
 use super::broken::{Case, Cracks};
 use super::queries::Stored;
 use super::silhouette::{Formula, Solid, Sweep};
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, Table, grouped, short};
 use lightbench::measure::{Method, Point, Series, Spread};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, Table, grouped, short};
 
 fn name(solid: Solid) -> Method {
     match solid {

@@ -1,7 +1,7 @@
 //! The two hierarchies of A's chapter on polygons.
 
 use glam::{DVec2, dvec2};
-use lightbench::kit::figure::{Diagram, Figure, Light};
+use lightbench_kit::figure::{Diagram, Figure, Light};
 
 /// Two triangles that share the edge V₁V₂.
 const CORNERS: [DVec2; 4] = [dvec2(0.0, 0.0), dvec2(2.1, -0.35), dvec2(1.5, 1.9), dvec2(3.6, 1.6)];

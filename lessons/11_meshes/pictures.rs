@@ -3,8 +3,6 @@
 use glam::{DAffine3, DVec2, DVec3, dvec3};
 use lightbench::film::Image;
 use lightbench::integrator::Local;
-use lightbench::kit::figure::{Figure, Panels, Pixels, grouped};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::mesh::{Mesh, Polygons, tessellate};
 use lightbench::render::{Picture, render};
@@ -13,6 +11,8 @@ use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::Shape;
 use lightbench::shape::cylinder::Cylinder;
 use lightbench::shape::plane::Plane;
+use lightbench_kit::figure::{Figure, Panels, Pixels, grouped};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 
 fn wrong(e: impl std::fmt::Display) -> LessonError {
     LessonError::Other(e.to_string())

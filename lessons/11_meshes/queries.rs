@@ -1,8 +1,8 @@
 //! Three ways to store the same faces, and what each has to read for an answer.
 
-use lightbench::kit::lesson::Lesson;
 use lightbench::measure::{Spread, time_each};
 use lightbench::mesh::{EdgeList, HalfEdges, Polygons, Topology, tessellate};
+use lightbench_kit::lesson::Lesson;
 
 /// A question, and what its answer takes with polygons, with edges, and with half-edges.
 pub struct Query {

@@ -1,8 +1,8 @@
 //! Cost over the number of triangles.
 
 use super::contest::Outcome;
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, grouped};
 use lightbench::measure::{Method, Point, Series, Spread};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, grouped};
 
 type Outcomes = [(Method, Vec<Outcome>)];
 

@@ -1,8 +1,8 @@
 //! A thing in its hulls.
 
 use glam::{DVec2, dvec2};
-use lightbench::kit::figure::{Diagram, Figure, Light};
-use lightbench::kit::lesson::Result;
+use lightbench_kit::figure::{Diagram, Figure, Light};
+use lightbench_kit::lesson::Result;
 
 /// A complicated thing: a star.
 fn star() -> Vec<DVec2> {

@@ -3,13 +3,13 @@
 use glam::{DVec3, dvec3};
 use lightbench::accel::{Ball, as_printed_nearest};
 use lightbench::bounds::Aabb;
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Shades, Table, grouped};
 use lightbench::measure::Method;
 use lightbench::ray::Ray;
 use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::shape::Shape;
 use lightbench::shape::sphere::Sphere;
 use lightbench::shape::triangle::PreparedRay;
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Shades, Table, grouped};
 
 /// `1/d` times the distances of the planes, smaller and larger by comparison, as it is often written: is the box met, and
 /// did a NaN arise?

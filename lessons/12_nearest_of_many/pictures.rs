@@ -5,9 +5,6 @@ use super::threshold::faces;
 use glam::{DAffine3, DQuat, DVec2, DVec3, dvec2, dvec3};
 use lightbench::accel::{Facets, Octree, Splitting};
 use lightbench::integrator::Local;
-use lightbench::kit::figure::colormap::viridis;
-use lightbench::kit::figure::{Figure, Panels, Pixels};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::mesh::{Mesh, tessellate::bumpy_knot};
 use lightbench::ray::{Ray, Tally};
@@ -18,6 +15,9 @@ use lightbench::shape::Shape;
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::instance::Instance;
 use lightbench::shape::triangle::PreparedRay;
+use lightbench_kit::figure::colormap::viridis;
+use lightbench_kit::figure::{Figure, Panels, Pixels};
+use lightbench_kit::lesson::{Lesson, Result};
 use std::sync::Arc;
 
 /// The knot in D's box of five walls, open towards the camera.

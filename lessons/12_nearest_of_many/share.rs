@@ -3,7 +3,6 @@
 use glam::{DVec2, DVec3, dvec3};
 use lightbench::color::Rgb;
 use lightbench::integrator::{Integrator, Local};
-use lightbench::kit::figure::{Figure, Table, grouped};
 use lightbench::light::{Light, PointLight};
 use lightbench::measure::timed;
 use lightbench::mesh::{Mesh, tessellate::bumpy_knot};
@@ -12,6 +11,7 @@ use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::plane::Plane;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::figure::{Figure, Table, grouped};
 
 /// Every ray of a picture.
 #[derive(Default)]

@@ -3,12 +3,12 @@
 use super::contest::{Face, boxes};
 use glam::DVec3;
 use lightbench::accel::{Octree, Splitting};
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, Table, grouped};
 use lightbench::measure::{Method, Point, Series, Spread, time_each};
 use lightbench::mesh::tessellate::bumpy_knot;
 use lightbench::ray::{Ray, Silent};
 use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::shape::triangle::PreparedRay;
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, Table, grouped};
 
 /// Threshold, cubes, bytes, seconds as D prints them (a graphics card, 2 or so million rays).
 const PRINTED: [(usize, usize, usize, f64); 5] = [

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3, dvec2};
 use lightbench::accel::{Octree, Splitting};
 use lightbench::bounds::Aabb;
-use lightbench::kit::figure::{Diagram, Figure, Light};
+use lightbench_kit::figure::{Diagram, Figure, Light};
 
 /// Balls of a flat scene: centre and radius, in a square of side 8.
 const BALLS: [(f64, f64, f64); 7] = [

@@ -1,8 +1,8 @@
 //! Diagrams: normals, lamps and angles.
 
 use glam::{DVec2, dvec2};
-use lightbench::kit::figure::{Diagram, Figure, Light};
-use lightbench::kit::lesson::{Lesson, Result};
+use lightbench_kit::figure::{Diagram, Figure, Light};
+use lightbench_kit::lesson::{Lesson, Result};
 use std::f64::consts::FRAC_PI_2;
 
 pub fn save(lesson: &Lesson) -> Result {

@@ -4,12 +4,12 @@ use super::model::{Eyesight, MIST, Made, other, scene};
 use glam::{DVec3, dvec3};
 use lightbench::color::Rgb;
 use lightbench::integrator::Integrator;
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, Table, short};
-use lightbench::kit::lesson::Result;
 use lightbench::light::PointLight;
 use lightbench::measure::{Method, log_spaced};
 use lightbench::ray::{Ray, Silent};
 use lightbench::sample::{Sampler, point2, uniform, uniform_sphere};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, Table, short};
+use lightbench_kit::lesson::Result;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, TAU};
 
 /// Relative change of a surface's radiance with the eye's distance: in a vacuum, its bound, in mist, and as if light thinned out.

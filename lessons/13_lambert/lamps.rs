@@ -4,13 +4,13 @@ use super::model::{AMBIENT, LAMPS, other, two_spheres};
 use glam::{DVec3, dvec3};
 use lightbench::color::Rgb;
 use lightbench::integrator::{Local, Stage};
-use lightbench::kit::figure::{Figure, Panels, Pixels, grouped};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::light::{DirectionalLight, Light, PointLight};
 use lightbench::render::{Picture, render};
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::plane::Plane;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::figure::{Figure, Panels, Pixels, grouped};
+use lightbench_kit::lesson::{Lesson, Result};
 
 /// C fig. 9: a lamp at the eye shows no shadow. Also, how many pixels shadows change.
 pub fn at_the_eye(picture: Picture) -> Result<(Figure, [usize; 4])> {

@@ -7,12 +7,12 @@ use glam::{DMat3, DVec2, DVec3, dvec3};
 use lightbench::bsdf::{Blinn, Lambert, Lobes, ParameterError};
 use lightbench::color::Rgb;
 use lightbench::integrator::Integrator;
-use lightbench::kit::lesson::{LessonError, Result};
 use lightbench::light::{DirectionalLight, Light, PointLight};
 use lightbench::ray::{Hit, Ray, RayKind, Trace, Work};
 use lightbench::sample::{Cells, Sampler, uniform_disc};
 use lightbench::scene::Scene;
-use lightbench::scene_file::{Color, read};
+use lightbench_kit::lesson::{LessonError, Result};
+use lightbench_kit::scene_file::{Color, read};
 use std::f64::consts::{FRAC_1_PI, PI};
 use std::fmt::Display;
 

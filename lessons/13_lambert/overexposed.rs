@@ -8,13 +8,13 @@ use lightbench::color::{Rgb, srgb_encode};
 use lightbench::film::Image;
 use lightbench::film::tone::{ToneMap, divide_by_channel_maxima_as_printed};
 use lightbench::integrator::Local;
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Panels, Pixels, Shades, Table, short};
-use lightbench::kit::lesson::Result;
 use lightbench::light::DirectionalLight;
 use lightbench::measure::{Method, log_spaced};
 use lightbench::render::{Picture, render};
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::plane::Plane;
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Panels, Pixels, Shades, Table, short};
+use lightbench_kit::lesson::Result;
 
 /// A hue that turns by more than this is another colour [degrees].
 const WRONG: f64 = 5.0;

@@ -7,12 +7,12 @@ use lightbench::color::Rgb;
 use lightbench::film::Image;
 use lightbench::film::metric::compare;
 use lightbench::integrator::{Integrator, Local, Stage};
-use lightbench::kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades, short};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::ray::{Ray, Trace};
 use lightbench::render::{Picture, render};
 use lightbench::sample::Sampler;
 use lightbench::scene::Scene;
+use lightbench_kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades, short};
+use lightbench_kit::lesson::{Lesson, Result};
 
 /// Points along a lamp's side in the panels, whose pictures are small.
 const SIDE: u32 = 3;

@@ -4,10 +4,10 @@ use super::model::{Eyesight, Made, SIMPLIFIED, other, scene};
 use lightbench::film::Image;
 use lightbench::film::metric::compare;
 use lightbench::integrator::Local;
-use lightbench::kit::figure::{Axis, Chart, Figure, Table, short};
-use lightbench::kit::lesson::Result;
 use lightbench::measure::{Method, Point, Series, Spread, timed};
 use lightbench::render::{Picture, render};
+use lightbench_kit::figure::{Axis, Chart, Figure, Table, short};
+use lightbench_kit::lesson::Result;
 
 pub const SIDE: u32 = 4; // points along a lamp's side
 pub const TRUTH: u32 = 16; // the same of the truth

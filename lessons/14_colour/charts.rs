@@ -10,10 +10,10 @@ use lightbench::color::xyz::{
     EQUAL_ENERGY, Xyy, luminance_as_printed, rgb_from_xyz, xyy_from_xyz, xyz_from_rgb, xyz_from_xyy,
 };
 use lightbench::color::{Rgb, srgb_decode, srgb_encode};
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Table, short};
 use lightbench::measure::{Method, Point, Series, Spread, Tally, log_spaced, time_each};
 use lightbench::num::double_double::DoubleDouble;
 use lightbench::sample::Sampler;
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Table, short};
 
 /// Steps at which spectra are summed [nm].
 pub const STEPS: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 20.0, 40.0];

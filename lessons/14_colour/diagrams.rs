@@ -6,11 +6,11 @@ use lightbench::color::dominant::{Locus, Rim as On, Wheel};
 use lightbench::color::gamut::{area, largest_triangle};
 use lightbench::color::spectrum::{CONE_PEAKS_AS_PRINTED, Matching};
 use lightbench::color::xyz::{D65, Primaries};
-use lightbench::kit::figure::Figure;
-use lightbench::kit::figure::drawing::{Anchor, Drawing, Face, Fill, Pixels, Rect, Stroke, Text};
-use lightbench::kit::figure::heading::Heading;
-use lightbench::kit::figure::ink::{Hue, Ink};
-use lightbench::kit::lesson::{Lesson, Result};
+use lightbench_kit::figure::Figure;
+use lightbench_kit::figure::drawing::{Anchor, Drawing, Face, Fill, Pixels, Rect, Stroke, Text};
+use lightbench_kit::figure::heading::Heading;
+use lightbench_kit::figure::ink::{Hue, Ink};
+use lightbench_kit::lesson::{Lesson, Result};
 
 /// C's three lines, the screen, and the largest triangle of lines, with their shares of the diagram.
 pub struct Gamuts {

@@ -6,10 +6,10 @@ use lightbench::color::gamut::IntoGamut;
 use lightbench::color::spectrum::Matching;
 use lightbench::color::xyz::{Xyy, rgb_from_xyz, xyz_from_xyy};
 use lightbench::color::{Rgb, srgb_encode};
-use lightbench::kit::figure::drawing::{
+use lightbench_kit::figure::drawing::{
     Anchor, Chain, Drawing, Ends, Face, Fill, Item, Pixels, Rect, Stroke, Text,
 };
-use lightbench::kit::figure::ink::{Hue, Ink};
+use lightbench_kit::figure::ink::{Hue, Ink};
 
 /// What of the plane is shown: x from 0 to 0.78, y from 0 to 0.88.
 const EXTENT: DVec2 = dvec2(0.78, 0.88);

@@ -9,16 +9,16 @@ use lightbench::color::xyz::{Xyy, rgb_from_xyz, xyy_from_xyz, xyz_from_rgb, xyz_
 use lightbench::color::{Rgb, luminance, srgb_decode, srgb_encode};
 use lightbench::film::Image;
 use lightbench::integrator::Local;
-use lightbench::kit::figure::drawing::{Anchor, Drawing, Face, Rect, Stroke, Text};
-use lightbench::kit::figure::heading::Heading;
-use lightbench::kit::figure::ink::Ink;
-use lightbench::kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades};
 use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::render::{Picture, render};
 use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::figure::drawing::{Anchor, Drawing, Face, Rect, Stroke, Text};
+use lightbench_kit::figure::heading::Heading;
+use lightbench_kit::figure::ink::Ink;
+use lightbench_kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades};
 use std::f64::consts::TAU;
 
 /// Reflectances of an orange for red, green and blue light [B §7.1.2].

@@ -4,14 +4,14 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 use lightbench::color::Rgb;
 use lightbench::color::models::{Hls, Hsv, rgb_from_cmy, rgb_from_hls, rgb_from_hsv};
 use lightbench::film::Image;
-use lightbench::kit::figure::Figure;
-use lightbench::kit::figure::drawing::{Anchor, Drawing, Pixels, Rect, Stroke, Text};
-use lightbench::kit::figure::heading::Heading;
-use lightbench::kit::figure::ink::Ink;
 use lightbench::ray::Ray;
 use lightbench::scene::{Camera, FieldOfView};
 use lightbench::shape::cone::Cone;
 use lightbench::shape::cuboid::Cuboid;
+use lightbench_kit::figure::Figure;
+use lightbench_kit::figure::drawing::{Anchor, Drawing, Pixels, Rect, Stroke, Text};
+use lightbench_kit::figure::heading::Heading;
+use lightbench_kit::figure::ink::Ink;
 use std::f64::consts::FRAC_PI_3;
 
 /// Behind the solids.

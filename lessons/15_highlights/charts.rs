@@ -2,9 +2,9 @@
 
 use super::off_plane::Sky;
 use lightbench::bsdf::highlight::{Match, grazing_coefficient, mismatch};
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, grouped};
 use lightbench::light::{Attenuation, LightError};
 use lightbench::measure::{Method, log_spaced};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, grouped};
 use std::f64::consts::{LN_2, PI};
 
 fn over(count: u32, low: f64, high: f64, f: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {

@@ -2,8 +2,8 @@
 
 use glam::{DVec2, dvec2};
 use lightbench::bsdf::highlight::power;
-use lightbench::kit::figure::{Diagram, Figure, Light};
-use lightbench::kit::lesson::{Lesson, Result};
+use lightbench_kit::figure::{Diagram, Figure, Light};
+use lightbench_kit::lesson::{Lesson, Result};
 
 pub fn save(lesson: &Lesson) -> Result {
     lesson.save("vectors", vectors())?;

@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 use lightbench::bsdf::highlight::{Match, power};
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, Table, short};
 use lightbench::measure::{Method, Point, Series, Slope, Spread, log_slope, log_spaced, time_each};
 use lightbench::num::counted::{Counted, count};
 use lightbench::num::real::{Triple, dot};
 use lightbench::sample::{Sampler, uniform_sphere};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, Table, short};
 
 const N: f64 = 50.0;
 

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use lightbench::bsdf::highlight::power;
 use lightbench::bsdf::{Directions, Geometry};
-use lightbench::kit::figure::{Axis, FailureMap, Figure, Shades};
+use lightbench_kit::figure::{Axis, FailureMap, Figure, Shades};
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::f64::consts::PI;

@@ -9,13 +9,13 @@ use lightbench::color::{Rgb, luminance};
 use lightbench::film::Image;
 use lightbench::film::metric::compare;
 use lightbench::integrator::{Integrator, Local};
-use lightbench::kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::light::{Attenuation, Light, PointLight};
 use lightbench::render::{Picture, render};
 use lightbench::scene::{Object, Scene};
-use lightbench::scene_file;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
+use lightbench_kit::scene_file;
 use std::f64::consts::FRAC_1_PI;
 use std::fmt::Display;
 

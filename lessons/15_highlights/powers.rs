@@ -4,12 +4,12 @@ use super::off_plane::filled;
 use glam::DVec3;
 use lightbench::bsdf::highlight::{lyon_power, power, schlick_power};
 use lightbench::frame::basis;
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, short};
 use lightbench::measure::{Method, Point, Series, Spread, log_spaced, time_each};
 use lightbench::num::U;
 use lightbench::num::counted::{Counted, count};
 use lightbench::num::real::dot;
 use lightbench::sample::{Sampler, uniform_sphere};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, short};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 

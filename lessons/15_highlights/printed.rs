@@ -8,11 +8,11 @@ use lightbench::bsdf::highlight::power;
 use lightbench::bsdf::{Directions, Geometry};
 use lightbench::color::Rgb;
 use lightbench::integrator::Integrator;
-use lightbench::kit::figure::{Figure, Table, short};
 use lightbench::light::Attenuation;
 use lightbench::ray::{Ray, Trace};
 use lightbench::sample::Sampler;
 use lightbench::scene::{Met, Scene};
+use lightbench_kit::figure::{Figure, Table, short};
 use std::f64::consts::FRAC_1_PI;
 
 /// What A's highlight is.

@@ -4,9 +4,9 @@ use super::speed::Rival;
 use super::{Contest, view};
 use lightbench::bsdf::{Brdf, CookTorrance, Model, ParameterError, Phong, PhongScale, as_printed, mirror};
 use lightbench::fresnel::{conductor, dielectric, normal_incidence, schlick, schlick_between};
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, Table, short};
 use lightbench::measure::{Method, Series};
 use lightbench::sample::{Sampler, uniform_hemisphere};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, Table, short};
 use std::f64::consts::FRAC_1_PI;
 
 type Curve = (Method, Vec<(f64, f64)>);

@@ -6,9 +6,9 @@ use lightbench::bsdf::{
     Angles, Blinn, Brdf, CookTorrance, Distribution, Lafortune, Lambert, Model, OrenNayar, OrenNayarForm,
     ParameterError, Phong, Shadowing, as_printed,
 };
-use lightbench::kit::figure::{Diagram, Figure, Light};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::sample::uniform;
+use lightbench_kit::figure::{Diagram, Figure, Light};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 pub fn save(lesson: &Lesson) -> Result {

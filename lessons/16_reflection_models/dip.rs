@@ -2,10 +2,10 @@
 
 use super::view;
 use lightbench::bsdf::{Angles, Brdf, OrenNayar, OrenNayarForm, ParameterError};
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Shades, short};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::measure::Method;
 use lightbench::num::quadrature::integrate;
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Shades, short};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Reflectance of dark matter: charcoal.

@@ -7,8 +7,8 @@ use lightbench::bsdf::{
     Angles, Blinn, BlinnScale, Brdf, CookTorrance, Directions, Distribution, Geometry, Model, OrenNayar,
     OrenNayarForm, ParameterError, Phong, Shadowing,
 };
-use lightbench::kit::figure::{Axis, FailureMap, Figure, Shades};
 use lightbench::num::U;
+use lightbench_kit::figure::{Axis, FailureMap, Figure, Shades};
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -10,10 +10,10 @@ use lightbench::color::Rgb;
 use lightbench::film::Image;
 use lightbench::frame::basis;
 use lightbench::fresnel::Fresnel;
-use lightbench::kit::figure::{Figure, Panels, Pixels};
-use lightbench::kit::lesson::{Lesson, LessonError};
 use lightbench::measure::Method;
 use lightbench::sample::{Sampler, r2};
+use lightbench_kit::figure::{Figure, Panels, Pixels};
+use lightbench_kit::lesson::{Lesson, LessonError};
 use rayon::prelude::*;
 
 /// Half sides of the window, in the plane at distance 1; its bars; its radiance and the sky's.

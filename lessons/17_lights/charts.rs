@@ -3,12 +3,12 @@
 use super::contest::{Among, Cost, Way, blocked, costs, count, counted, questions};
 use super::stage::{places, radius_of, swarm};
 use lightbench::integrator::{Local, Memory};
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Shades, Table, grouped};
-use lightbench::kit::lesson::Result;
 use lightbench::measure::{Method, Point, Series, log_spaced};
 use lightbench::ray::Tally;
 use lightbench::render::{Picture, render};
 use lightbench::scene::Scene;
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Shades, Table, grouped};
+use lightbench_kit::lesson::Result;
 
 /// Share of the floor that lies in shadow where the number of objects is swept.
 const SHARE: f64 = 0.4;

@@ -2,12 +2,12 @@
 
 use glam::{DVec2, DVec3};
 use lightbench::color::Rgb;
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide};
-use lightbench::kit::lesson::Result;
 use lightbench::light::{PointLight, SpotLight};
 use lightbench::measure::{Method, Point, Series, Spread, Tally, log_spaced, timed};
 use lightbench::num::U;
 use lightbench::sample::{Sampler, uniform_sphere};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide};
+use lightbench_kit::lesson::Result;
 use std::f64::consts::TAU;
 
 use super::stage::other;

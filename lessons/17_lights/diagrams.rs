@@ -1,7 +1,7 @@
 //! Kinds of light, and the shadows they throw.
 
 use glam::{DVec2, dvec2};
-use lightbench::kit::figure::{Diagram, Figure, Light};
+use lightbench_kit::figure::{Diagram, Figure, Light};
 use std::f64::consts::{PI, TAU};
 
 const UP: DVec2 = DVec2::Y;

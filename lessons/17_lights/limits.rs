@@ -5,8 +5,6 @@ use glam::{DVec3, Vec3, dvec3};
 use lightbench::color::Rgb;
 use lightbench::film::Image;
 use lightbench::integrator::{Integrator, Local};
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, Table, short};
-use lightbench::kit::lesson::Result;
 use lightbench::light::Light;
 use lightbench::light::as_printed::{LAMBDA, attenuation_as_printed, hides_as_printed};
 use lightbench::light::{Attenuation, PointLight};
@@ -17,6 +15,8 @@ use lightbench::sample::Sampler;
 use lightbench::scene::Scene;
 use lightbench::shape::Shape;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, Table, short};
+use lightbench_kit::lesson::Result;
 use std::f64::consts::FRAC_1_PI;
 
 /// Towards the light that moves away.

@@ -4,10 +4,10 @@ use super::stage::{
     OMNI, PARALLEL, coloured, evening, omni, parallel, ring_of_lights, sphere_on_floor, spots,
 };
 use lightbench::integrator::Local;
-use lightbench::kit::figure::{Figure, Panels, Pixels};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::render::{Picture, render};
 use lightbench::scene::Scene;
+use lightbench_kit::figure::{Figure, Panels, Pixels};
+use lightbench_kit::lesson::{Lesson, Result};
 
 fn shot(lesson: &Lesson, scene: &Scene, [width, height]: [usize; 2]) -> lightbench::film::Image {
     let part = lesson.pick([8, 1, 1, 1]);

@@ -3,19 +3,19 @@
 use super::contest::{Question, TILE, Tile};
 use glam::{DAffine3, DVec3, dvec3};
 use lightbench::color::Rgb;
-use lightbench::kit::lesson::{LessonError, Result};
 use lightbench::light::{DirectionalLight, Light, PointLight, SpotLight};
 use lightbench::mesh::{Mesh, tessellate};
 use lightbench::ray::Ray;
 use lightbench::sample::Sampler;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
-use lightbench::scene_file::{Color, read};
 use lightbench::shape::Shape;
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::cylinder::Cylinder;
 use lightbench::shape::instance::Instance;
 use lightbench::shape::plane::Plane;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::lesson::{LessonError, Result};
+use lightbench_kit::scene_file::{Color, read};
 use std::fmt::Display;
 
 const ROOM: &str = include_str!("../../scenes/d01_point_light.scene");

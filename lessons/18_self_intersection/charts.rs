@@ -3,12 +3,12 @@
 use super::bodies::bodies;
 use super::contest::{Rule, Score, Way};
 use glam::DVec3;
-use lightbench::kit::figure::heading::percent;
-use lightbench::kit::figure::{Axis, Chart, Figure, Table, grouped};
-use lightbench::kit::lesson::{LessonError, Result};
 use lightbench::measure::{Point, Series, Spread, time_each};
 use lightbench::ray::leaving::Departure;
 use lightbench::sample::Sampler;
+use lightbench_kit::figure::heading::percent;
+use lightbench_kit::figure::{Axis, Chart, Figure, Table, grouped};
+use lightbench_kit::lesson::{LessonError, Result};
 
 /// What a start costs, and what it spoils.
 pub struct Cost {

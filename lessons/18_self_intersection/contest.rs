@@ -2,12 +2,12 @@
 
 use super::bodies::{Body, Lamp, Start, Truth, VECTORISED, bodies, certain, lamps};
 use glam::DVec3;
-use lightbench::kit::lesson::{LessonError, Result};
 use lightbench::measure::Method;
 use lightbench::ray::Ray;
 use lightbench::ray::leaving::{Departure, Leaving};
 use lightbench::sample::Sampler;
 use lightbench::shape::fan::{Ends, Fan, Vectors};
+use lightbench_kit::lesson::{LessonError, Result};
 use rayon::prelude::*;
 
 /// A rule for rays that leave a surface.

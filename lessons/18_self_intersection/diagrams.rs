@@ -1,12 +1,12 @@
 //! The documents' diagrams: where the computed point lies, and what the ray from it meets. Errors are drawn far too large.
 
 use glam::{DVec2, DVec3, dvec2};
-use lightbench::kit::figure::{Diagram, Figure, Light, short};
-use lightbench::kit::lesson::{Lesson, LessonError, Result};
 use lightbench::ray::Ray;
 use lightbench::sample::{Sampler, uniform_sphere};
 use lightbench::shape::Shape;
 use lightbench::shape::sphere::Sphere;
+use lightbench_kit::figure::{Diagram, Figure, Light, short};
+use lightbench_kit::lesson::{Lesson, LessonError, Result};
 
 pub fn all(lesson: &Lesson) -> Result {
     lesson.save("precision", precision())?;

@@ -2,14 +2,14 @@
 
 use super::bodies::{AWAY, bodies};
 use glam::DVec3;
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, short};
-use lightbench::kit::lesson::{LessonError, Result};
 use lightbench::measure::{Method, Spread, log_spaced};
 use lightbench::num::double_double::DoubleDouble;
 use lightbench::num::{U, gamma};
 use lightbench::ray::Hit;
 use lightbench::ray::leaving::{Departure, Leaving};
 use lightbench::sample::Sampler;
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, short};
+use lightbench_kit::lesson::{LessonError, Result};
 
 /// Height over a sphere of radius 1, decided with 106 bits.
 fn height(p: DVec3, center: DVec3) -> f64 {

@@ -2,11 +2,11 @@
 
 use super::contest::{Axes, Score};
 use glam::{DVec2, dvec2};
-use lightbench::kit::figure::colormap::viridis;
-use lightbench::kit::figure::drawing::{Anchor, Chain, Ends, Face, Fill, Item, Rect, Stroke, Text};
-use lightbench::kit::figure::heading::{HEIGHT, Heading, MARGIN, SIZE, WIDTH, percent, power_of_ten};
-use lightbench::kit::figure::ink::Ink;
-use lightbench::kit::figure::{Drawing, Figure, Pixels, font};
+use lightbench_kit::figure::colormap::viridis;
+use lightbench_kit::figure::drawing::{Anchor, Chain, Ends, Face, Fill, Item, Rect, Stroke, Text};
+use lightbench_kit::figure::heading::{HEIGHT, Heading, MARGIN, SIZE, WIDTH, percent, power_of_ten};
+use lightbench_kit::figure::ink::Ink;
+use lightbench_kit::figure::{Drawing, Figure, Pixels, font};
 
 /// One method's map: share of wrong answers, cell by cell as [`Axes::cells`] has them.
 pub struct Panel {
@@ -115,7 +115,7 @@ pub fn figure(panels: &[Panel], axes: &Axes, columns: usize, words: &Words) -> F
         told.join("; ")
     );
     let mut figure = Figure::new(drawing, words.title, &alt).caption(words.caption);
-    figure.data.push(lightbench::kit::figure::Data { repeats: Default::default(), csv: csv(panels, axes) });
+    figure.data.push(lightbench_kit::figure::Data { repeats: Default::default(), csv: csv(panels, axes) });
     figure
 }
 

@@ -5,9 +5,6 @@ use super::plain::Plain;
 use glam::{DAffine3, DMat3, DQuat, DVec3, dvec2, dvec3};
 use lightbench::color::Rgb;
 use lightbench::film::Image;
-use lightbench::kit::figure::heading::percent;
-use lightbench::kit::figure::{Figure, Panels};
-use lightbench::kit::lesson::{LessonError, Result};
 use lightbench::measure::quantised;
 use lightbench::ray::Silent;
 use lightbench::ray::leaving::Leaving;
@@ -21,6 +18,9 @@ use lightbench::shape::instance::Instance;
 use lightbench::shape::plane::Plane;
 use lightbench::shape::sphere::Sphere;
 use lightbench::shape::torus::Torus;
+use lightbench_kit::figure::heading::percent;
+use lightbench_kit::figure::{Figure, Panels};
+use lightbench_kit::lesson::{LessonError, Result};
 use std::fmt::Display;
 
 fn other(e: impl Display) -> LessonError {

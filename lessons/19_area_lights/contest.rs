@@ -6,13 +6,13 @@ use lightbench::color::Rgb;
 use lightbench::film::Image;
 use lightbench::film::metric::compare;
 use lightbench::integrator::Local;
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, Table, short};
-use lightbench::kit::lesson::Result;
 use lightbench::light::{AreaLight, Emission, Emitter, Light, Measure};
 use lightbench::measure::{Method, Point, Series, Tally, timed};
 use lightbench::render::{Picture, render};
 use lightbench::sample::Pattern;
 use lightbench::scene::Scene;
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, Table, short};
+use lightbench_kit::lesson::Result;
 
 /// Shadow rays of the contestants' lights.
 pub const BUDGETS: [u32; 4] = [4, 16, 64, 256];

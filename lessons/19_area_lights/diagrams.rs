@@ -2,13 +2,13 @@
 
 use super::place::{Place, other};
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use lightbench::kit::figure::{Axis, Chart, Diagram, Figure, Guide, Light, Space, short};
-use lightbench::kit::lesson::{Lesson, Result};
 use lightbench::light::{Rectangle, sphere_irradiance};
 use lightbench::measure::Method;
 use lightbench::sample::{
     Cells, Pattern, sphere_as_printed, uniform_sphere, uniform_triangle, uniform_triangle_fold,
 };
+use lightbench_kit::figure::{Axis, Chart, Diagram, Figure, Guide, Light, Space, short};
+use lightbench_kit::lesson::{Lesson, Result};
 use std::f64::consts::PI;
 
 pub fn save(lesson: &Lesson, ratios: [f64; 2]) -> Result {

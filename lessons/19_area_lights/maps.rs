@@ -3,14 +3,14 @@
 use super::naive::naive_map;
 use super::place::{Place, mid, other, seed_of};
 use glam::{DVec3, dvec2};
-use lightbench::kit::figure::{Axis, Chart, FailureMap, Figure, Guide, short};
-use lightbench::kit::lesson::Result;
 use lightbench::light::{Emitter, Measure, Rectangle};
 use lightbench::measure::{Method, Series, Spread, Tally, log_spaced};
 use lightbench::num::U;
 use lightbench::sample::{Pattern, Sampler, uniform_sphere};
 use lightbench::shape::sphere::Sphere;
 use lightbench::shape::triangle::Triangle;
+use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Guide, short};
+use lightbench_kit::lesson::Result;
 
 const SAMPLES: u32 = 16;
 /// An error of half the light.

@@ -5,9 +5,9 @@
 
 use super::place::{mid, seed_of, signed};
 use glam::{DVec2, dvec2};
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, short};
 use lightbench::measure::{Method, Point, Series, Slope, Spread, log_slope};
 use lightbench::sample::{Pattern, Sampler};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, short};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// D's own: 10 × 10 fixed points [D fig. 31].

@@ -1,13 +1,13 @@
 //! One place and one light, nothing between: estimates of the irradiance against its closed form.
 
 use glam::{DVec3, dvec2, dvec3};
-use lightbench::kit::figure::{Axis, Chart, Figure, Guide, Table, short};
-use lightbench::kit::lesson::{LessonError, Result};
 use lightbench::light::{Emitter, Measure, Rectangle, polygon_irradiance, sphere_irradiance};
 use lightbench::measure::{Method, Point, Series, Slope, Tally, log_slope};
 use lightbench::sample::{Pattern, PointSet, bits};
 use lightbench::shape::sphere::Sphere;
 use lightbench::shape::triangle::Triangle;
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, Table, short};
+use lightbench_kit::lesson::{LessonError, Result};
 
 pub const MEASURES: [(Measure, &str); 2] = [(Measure::Area, "area"), (Measure::SolidAngle, "solid angle")];
 

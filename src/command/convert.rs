@@ -1,9 +1,9 @@
 //! `lightbench convert`: trees of solids as files of their own.
 
 use super::{Failure, render};
-use crate::film::file::write_atomically;
-use crate::kit::flags::Flags;
-use crate::scene_file::csg;
+use lightbench_kit::file::write_atomically;
+use lightbench_kit::flags::Flags;
+use lightbench_kit::scene_file::csg;
 use std::path::PathBuf;
 
 /// Writes every `CSG` of the scene files: `x.scene` with one tree makes `x.csg`, with several `x_1.csg`, `x_2.csg` ….

@@ -1,10 +1,10 @@
 //! `lightbench list` and `lightbench figures`: the lessons, and everything they draw.
 
 use super::Failure;
-use crate::kit::flags::Flags;
-use crate::kit::lesson::{Entry, SYLLABUS};
-use crate::kit::page;
-use crate::kit::progress::{Progress, Verbosity, stop_flag};
+use lightbench_kit::flags::Flags;
+use lightbench_kit::lesson::{Entry, SYLLABUS};
+use lightbench_kit::page;
+use lightbench_kit::progress::{Progress, Verbosity, stop_flag};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::Ordering;
@@ -97,12 +97,12 @@ fn programs() -> Result<PathBuf, Failure> {
         std::env::current_exe().map_err(|e| Failure::work(format!("this program cannot be found: {e}")))?;
     if let Some(cargo) = std::env::var_os("CARGO") {
         let mut build = Command::new(cargo);
-        build.args(["build", "--bins", "--quiet"]);
+        build.args(["build", "--package", "lightbench-lessons", "--bins", "--quiet"]);
         if own.components().any(|c| c.as_os_str() == "release") {
             build.arg("--release");
         }
         if let Some(manifest) = std::env::var_os("CARGO_MANIFEST_DIR") {
-            build.arg("--manifest-path").arg(Path::new(&manifest).join("Cargo.toml"));
+            build.arg("--manifest-path").arg(Path::new(&manifest).join("../../Cargo.toml"));
         }
         let status = build.status().map_err(|e| Failure::work(format!("cargo cannot be run: {e}")))?;
         if !status.success() {

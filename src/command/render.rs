@@ -1,17 +1,17 @@
 //! `lightbench render`: from scene files to pictures.
 
 use super::{Failure, print};
-use crate::film::file::{Format, write_as};
-use crate::film::tone::ToneMap;
-use crate::integrator::{Local, Stage};
-use crate::kit::figure::Provenance;
-use crate::kit::flags::{Flags, PictureFormat, Quality, quoted};
-use crate::kit::progress::{Progress, Verbosity, say, stop_flag};
-use crate::kit::replay;
-use crate::ray::RayKind;
-use crate::render::{Control, Picture, RenderError, Rendered, render_with};
-use crate::scene_file::{Color, MOST_PIXELS, SceneFile, read_file};
 use clap::{Args, ValueEnum};
+use lightbench::film::tone::ToneMap;
+use lightbench::integrator::{Local, Stage};
+use lightbench::ray::RayKind;
+use lightbench::render::{Control, Picture, RenderError, Rendered, render_with};
+use lightbench_kit::figure::Provenance;
+use lightbench_kit::file::{Format, write_as};
+use lightbench_kit::flags::{Flags, PictureFormat, Quality, quoted};
+use lightbench_kit::progress::{Progress, Verbosity, say, stop_flag};
+use lightbench_kit::replay;
+use lightbench_kit::scene_file::{Color, MOST_PIXELS, SceneFile, read_file};
 use std::fmt::Write;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -343,7 +343,7 @@ fn replay_pixel(
         return Err(Failure::input(format!("--pixel {x},{y}: {message}")));
     }
     let name = stem(path);
-    let (value, rays) = crate::render::replay(&file.scene, &args.integrator.integrator(), picture, at);
+    let (value, rays) = lightbench::render::replay(&file.scene, &args.integrator.integrator(), picture, at);
     let mut out = format!("pixel {x},{y} of {}: radiance {value:.9}\n", path.display());
     for ray in &rays {
         out += &ray.text(&file.scene);
@@ -355,6 +355,6 @@ fn replay_pixel(
             seed: Some(picture.seed),
             version: env!("CARGO_PKG_VERSION").to_string(),
         });
-    crate::film::file::write_atomically(target, drawing.svg().as_bytes()).map_err(Failure::work)?;
+    lightbench_kit::file::write_atomically(target, drawing.svg().as_bytes()).map_err(Failure::work)?;
     Ok(out + &format!("{}\n", target.display()))
 }

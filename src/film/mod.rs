@@ -4,7 +4,6 @@
 //! once, at the end: [`tone`] maps the picture, [`file`] stores it, [`metric`] compares two.
 
 pub mod error_picture;
-pub mod file;
 pub mod metric;
 pub mod ssim;
 pub mod tone;
@@ -78,7 +77,7 @@ impl Image {
     }
 
     /// Column and row of the `index`-th pixel.
-    pub(crate) fn place(&self, index: usize) -> (usize, usize) {
+    pub fn place(&self, index: usize) -> (usize, usize) {
         (index % self.width, index / self.width)
     }
 }

@@ -4,7 +4,7 @@
 //! made again without running a lesson.
 
 use super::lesson::{FigureRecord, LessonRecord, SYLLABUS};
-use crate::film::file::{FileError, write_atomically};
+use crate::file::{FileError, write_atomically};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 

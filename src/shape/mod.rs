@@ -81,7 +81,7 @@ impl ShapeError {
     }
 
     /// The unit vector along `v`, if `v` is finite and not zero.
-    pub(crate) fn direction(what: &'static str, v: DVec3) -> Result<DVec3, ShapeError> {
+    pub fn direction(what: &'static str, v: DVec3) -> Result<DVec3, ShapeError> {
         unit(Self::finite(what, v)?).ok_or(ShapeError::NoDirection { what })
     }
 }

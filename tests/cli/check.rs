@@ -22,7 +22,7 @@ fn right_files_on_stdout_wrong_ones_on_stderr() {
 
 #[test]
 fn the_projects_own_scenes_are_right() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     let bench = Bench::new("check_own");
     let mut all = 0;
     for entry in std::fs::read_dir(folder).expect("scenes").flatten() {

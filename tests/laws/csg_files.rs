@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use lightbench::ray::Ray;
-use lightbench::scene_file::{Color, csg, read};
+use lightbench_kit::scene_file::{Color, csg, read};
 use proptest::prelude::*;
 
 const FILE: &str = include_str!("../../scenes/d03_csg.csg");

@@ -1,14 +1,14 @@
 //! Laws of figures: the same bytes, well-formed files, labels that do not collide, no panic on any data.
 
 use glam::{DVec2, DVec3, dvec2};
-use lightbench::kit::figure::drawing::{Drawing, Rect, Text};
-use lightbench::kit::figure::ink::{Hue, Ink, METHOD_HUES, ROLES, contrast};
-use lightbench::kit::figure::label::{Candidate, Placer, inside, pushed_apart};
-use lightbench::kit::figure::{
+use lightbench::measure::{Failures, Method, Point, Run, Series, Spread};
+use lightbench_kit::figure::drawing::{Drawing, Rect, Text};
+use lightbench_kit::figure::ink::{Hue, Ink, METHOD_HUES, ROLES, contrast};
+use lightbench_kit::figure::label::{Candidate, Placer, inside, pushed_apart};
+use lightbench_kit::figure::{
     Axis, Bars, Chart, Diagram, ErrorPanel, FailureMap, Figure, Guide, Light, Panels, Pixels, Provenance,
     Repeats, Shades, Space, Table, bitmap, colormap, font,
 };
-use lightbench::measure::{Failures, Method, Point, Run, Series, Spread};
 use proptest::prelude::*;
 
 fn config(cases: u32) -> ProptestConfig {
@@ -313,7 +313,7 @@ fn a_polygon_covers_its_area_and_letters_leave_ink() {
     let mut drawing = Drawing::new(40.0, 40.0);
     let square = Rect::new(10.25, 10.5, 20.75, 30.0);
     let black = Ink::Fixed([0, 0, 0]);
-    drawing.rect(square, Some(lightbench::kit::figure::drawing::Fill::new(black)), None);
+    drawing.rect(square, Some(lightbench_kit::figure::drawing::Fill::new(black)), None);
     let ink =
         |d: &Drawing| bitmap::render(d).rgb.chunks(3).map(|p| 1.0 - f64::from(p[0]) / 255.0).sum::<f64>();
     // Each of the 59 edge pixels is rounded to half a level.
@@ -333,8 +333,8 @@ fn a_polygon_covers_its_area_and_letters_leave_ink() {
 #[test]
 fn markup_lowers_raises_and_survives_mistakes() {
     assert_eq!(font::plain("t_{ca}^{2} as_printed x_{"), "tca2 as_printed x_{");
-    let full = font::width("tca", lightbench::kit::figure::drawing::Face::Italic, 20.0);
-    let lowered = font::width("t_{ca}", lightbench::kit::figure::drawing::Face::Italic, 20.0);
+    let full = font::width("tca", lightbench_kit::figure::drawing::Face::Italic, 20.0);
+    let lowered = font::width("t_{ca}", lightbench_kit::figure::drawing::Face::Italic, 20.0);
     assert!(lowered < full && lowered > 0.0);
 }
 

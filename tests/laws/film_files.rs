@@ -2,10 +2,10 @@
 
 use crate::film::{config, picture, speckle};
 use lightbench::color::{Rgb, srgb_encode};
-use lightbench::command::compare::{CompareError, compare};
 use lightbench::film::Image;
-use lightbench::film::file::{self, FileError, Format, read, write, write_as, write_atomically};
 use lightbench::num::gamma;
+use lightbench_kit::compare::{CompareError, compare};
+use lightbench_kit::file::{self, FileError, Format, read, write, write_as, write_atomically};
 use proptest::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -2,8 +2,8 @@
 //! imports what has been taught.
 
 use crate::architecture::{floors, imports};
-use lightbench::kit::lesson::{LessonRecord, SYLLABUS};
-use lightbench::kit::page;
+use lightbench_kit::lesson::{LessonRecord, SYLLABUS};
+use lightbench_kit::page;
 use std::collections::BTreeSet;
 use std::fs;
 
@@ -23,7 +23,7 @@ fn the_syllabus_has_exactly_the_lessons_that_exist() {
     let found: BTreeSet<String> = fs::read_dir("lessons")
         .expect("lessons/")
         .flatten()
-        .filter(|f| f.path().is_file())
+        .filter(|f| f.path().extension().is_some_and(|e| e == "rs"))
         .map(|f| f.file_name().to_string_lossy().into_owned())
         .collect();
     assert_eq!(found, expected);
@@ -31,16 +31,16 @@ fn the_syllabus_has_exactly_the_lessons_that_exist() {
 
 #[test]
 fn every_lesson_has_its_program() {
-    let manifest = fs::read_to_string("Cargo.toml").expect("Cargo.toml");
+    let manifest = fs::read_to_string("lessons/Cargo.toml").expect("lessons/Cargo.toml");
     let lines: Vec<&str> = manifest.lines().filter(|l| l.contains("\"lesson_")).collect();
     assert_eq!(lines.len(), SYLLABUS.len());
     for entry in SYLLABUS {
         let line = format!(
-            "{{ name = \"{}\", path = \"lessons/{}.rs\", test = false, doc = false }},",
+            "{{ name = \"{}\", path = \"{}.rs\", test = false, doc = false }},",
             entry.program(),
             entry.stem()
         );
-        assert!(lines.iter().any(|l| l.trim() == line), "Cargo.toml lacks {line}");
+        assert!(lines.iter().any(|l| l.trim() == line), "lessons/Cargo.toml lacks {line}");
     }
 }
 
@@ -74,14 +74,17 @@ fn lessons_are_short_and_begin_with_their_question() {
 #[test]
 fn lessons_import_what_has_been_taught() {
     let floors = floors();
-    let mut taught: BTreeSet<&str> = ["scene", "render", "kit"].into();
+    let mut taught: BTreeSet<&str> = ["scene", "render", "figure", "lesson"].into();
     for entry in SYLLABUS {
         taught.extend(entry.introduces);
         let mut texts = vec![fs::read_to_string(format!("lessons/{}.rs", entry.stem())).expect("a lesson")];
         for file in fs::read_dir(format!("lessons/{}", entry.stem())).into_iter().flatten().flatten() {
             texts.push(fs::read_to_string(file.path()).expect("a part of a lesson"));
         }
-        for (line, module) in texts.iter().flat_map(|t| imports(t, "lightbench::")) {
+        for (line, module) in texts
+            .iter()
+            .flat_map(|t| ["lightbench::", "lightbench_kit::"].iter().flat_map(|root| imports(t, root)))
+        {
             let low = floors.get(&module).is_some_and(|f| *f <= 2);
             assert!(
                 low || taught.contains(module.as_str()),

@@ -11,9 +11,9 @@ use lightbench::light::{
 use lightbench::render::{Picture, render, replay};
 use lightbench::sample::Pattern;
 use lightbench::scene::Material;
-use lightbench::scene_file::{Color, SceneFile, Severity, read};
 use lightbench::shape::sphere::Sphere;
 use lightbench::shape::triangle::Triangle;
+use lightbench_kit::scene_file::{Color, SceneFile, Severity, read};
 use std::f64::consts::{FRAC_1_PI, PI};
 
 /// A small right scene on three lines; the tests add theirs from line 4 on.

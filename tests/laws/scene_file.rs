@@ -1,12 +1,12 @@
 //! Scene files: defaults, units, every kind of mistake at its place, and no panic on anything.
 
 use glam::DVec3;
-use lightbench::command::check::check;
 use lightbench::light::{AreaLight, Attenuation, Emission, Emitter, Light, PointLight, Rectangle};
 use lightbench::ray::Ray;
 use lightbench::sample::{Cells, Pattern};
 use lightbench::scene::{FieldOfView, Material};
-use lightbench::scene_file::{
+use lightbench_kit::scene_file::check::check;
+use lightbench_kit::scene_file::{
     Color, Diagnostics, ReadError, SceneFile, Settings, Severity, read, read_bytes, read_file, reference,
 };
 use proptest::prelude::*;

@@ -6,7 +6,6 @@ use lightbench::integrator::Local;
 use lightbench::ray::Ray;
 use lightbench::render::{Picture, render};
 use lightbench::scene::{Object, Scene};
-use lightbench::scene_file::{Color, SceneFile, read, read_file, reference};
 use lightbench::sdf::Menger;
 use lightbench::shape::cone::Cone;
 use lightbench::shape::cylinder::Cylinder;
@@ -18,6 +17,7 @@ use lightbench::shape::sphere::Sphere;
 use lightbench::shape::torus::Torus;
 use lightbench::shape::triangle::Triangle;
 use lightbench::shape::{Shape, Sides};
+use lightbench_kit::scene_file::{Color, SceneFile, read, read_file, reference};
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
 
@@ -289,7 +289,7 @@ fn the_projects_scenes_of_surfaces_are_right() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.scene"));
         let file = read_file(&path).unwrap_or_else(|e| panic!("{}", e.render(Color::Never)));
         assert!(file.remarks.is_empty(), "{}", file.remarks.render(Color::Never));
-        let report = lightbench::command::check::check(&path, Color::Never);
+        let report = lightbench_kit::scene_file::check::check(&path, Color::Never);
         assert!(report.text.contains(&format!("{objects} objects")), "{}", report.text);
         assert_eq!(report.problems, 0);
     }

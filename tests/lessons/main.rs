@@ -1,13 +1,13 @@
 //! Every lesson at smoke quality: it ends well, writes what it promises, and writes the same again.
 
-use lightbench::kit::lesson::{Entry, LessonRecord, SYLLABUS};
+use lightbench_kit::lesson::{Entry, LessonRecord, SYLLABUS};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 fn program(entry: &Entry) -> PathBuf {
-    let folder = Path::new(env!("CARGO_BIN_EXE_lightbench")).parent().expect("a folder");
+    let folder = Path::new(env!("CARGO_BIN_EXE_lesson_01")).parent().expect("a folder");
     folder.join(format!("{}{}", entry.program(), std::env::consts::EXE_SUFFIX))
 }
 
@@ -57,7 +57,8 @@ fn lessons_keep_their_promises() {
         for file in record.figures.iter().flat_map(|f| &f.files) {
             assert!(out.join(file).is_file(), "{file} was promised");
         }
-        let header = fs::read_to_string(format!("lessons/{}.rs", entry.stem())).expect("a lesson");
+        let header = fs::read_to_string(format!("{}/{}.rs", env!("CARGO_MANIFEST_DIR"), entry.stem()))
+            .expect("a lesson");
         let promised =
             header.lines().filter_map(|l| l.strip_prefix("//! Figure:")).flat_map(|l| l.split(','));
         for file in promised.map(str::trim).filter(|f| !f.is_empty()) {

@@ -8,7 +8,7 @@
 //! are allowed.
 
 use lightbench::num::U;
-use lightbench::probe;
+use lightbench_kit::probe;
 use std::collections::HashMap;
 
 /// One row: names to texts.

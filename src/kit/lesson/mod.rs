@@ -12,8 +12,8 @@ pub use syllabus::{Entry, SYLLABUS, entry};
 
 use super::figure::{Figure, Provenance, Repeats};
 use super::flags::{Flags, Quality};
+use crate::file::{FileError, Format, encode, write_atomically};
 use crate::film::Image;
-use crate::film::file::{FileError, Format, encode, write_atomically};
 use clap::{CommandFactory, FromArgMatches, Parser};
 use rayon::prelude::*;
 use std::cell::RefCell;

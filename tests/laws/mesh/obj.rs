@@ -2,9 +2,9 @@
 
 use glam::{DVec3, dvec3};
 use lightbench::mesh::{Mesh, NONE, Polygons, Topology, tessellate};
-use lightbench::scene_file::obj::{Library, ObjFile, read, write};
-use lightbench::scene_file::{Color, Severity};
 use lightbench::shape::Shape;
+use lightbench_kit::scene_file::obj::{Library, ObjFile, read, write};
+use lightbench_kit::scene_file::{Color, Severity};
 use proptest::prelude::*;
 use proptest::test_runner::Config;
 

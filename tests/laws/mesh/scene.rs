@@ -3,8 +3,8 @@
 use glam::{DVec3, dvec3};
 use lightbench::mesh::tessellate;
 use lightbench::ray::{Ray, Silent};
-use lightbench::scene_file::obj::write;
-use lightbench::scene_file::{Color, ReadError, SceneFile, read_file};
+use lightbench_kit::scene_file::obj::write;
+use lightbench_kit::scene_file::{Color, ReadError, SceneFile, read_file};
 use std::fs;
 use std::path::PathBuf;
 

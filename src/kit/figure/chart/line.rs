@@ -1,9 +1,9 @@
 //! A method's line: its points in the chart's quantities, and its colour, mark and dash.
 
 use super::Quantity;
-use crate::kit::figure::drawing::{Drawing, Fill, Stroke};
-use crate::kit::figure::font;
-use crate::kit::figure::ink::{Hue, Ink, METHOD_HUES};
+use crate::figure::drawing::{Drawing, Fill, Stroke};
+use crate::figure::font;
+use crate::figure::ink::{Hue, Ink, METHOD_HUES};
 use crate::measure::{Failures, Method, Point, Role, Series, Spread};
 use glam::{DVec2, dvec2};
 use std::f64::consts::{FRAC_PI_2, TAU};

@@ -2,9 +2,9 @@
 
 use super::Chart;
 use super::plot::{Plot, Ticks};
-use crate::kit::figure::drawing::{Anchor, Drawing, Face, Rect, Stroke, Text};
-use crate::kit::figure::heading::{MARGIN, SIZE, percent};
-use crate::kit::figure::ink::Ink;
+use crate::figure::drawing::{Anchor, Drawing, Face, Rect, Stroke, Text};
+use crate::figure::heading::{MARGIN, SIZE, percent};
+use crate::figure::ink::Ink;
 use glam::dvec2;
 
 /// Draws a panel for each line; the others stand behind it in grey.
@@ -59,7 +59,7 @@ fn panel(chart: &Chart, scales: &Plot, index: usize, cell: Rect, drawing: &mut D
     };
     let name = format!("{}{failed}", line.name);
     let at = dvec2(area.min.x, cell.min.y + 20.0);
-    let width = crate::kit::figure::font::width(&name, Face::Bold, SIZE * 0.9);
+    let width = crate::figure::font::width(&name, Face::Bold, SIZE * 0.9);
     let size = SIZE * 0.9 * ((cell.max.x - at.x) / width).min(1.0);
     drawing.text(Text::new(at, name, size, Ink::Label(line.look.hue)).face(Face::Bold));
 }

@@ -3,12 +3,12 @@
 use super::line::{Line, Shape};
 use super::plot::Plot;
 use super::{Chart, GuideKind};
-use crate::kit::figure::axis::Scale;
-use crate::kit::figure::drawing::{Drawing, Face, Rect, Stroke, Text};
-use crate::kit::figure::font;
-use crate::kit::figure::heading::SIZE;
-use crate::kit::figure::ink::Ink;
-use crate::kit::figure::label::{Candidate, Placer, pushed_apart};
+use crate::figure::axis::Scale;
+use crate::figure::drawing::{Drawing, Face, Rect, Stroke, Text};
+use crate::figure::font;
+use crate::figure::heading::SIZE;
+use crate::figure::ink::Ink;
+use crate::figure::label::{Candidate, Placer, pushed_apart};
 use glam::{DVec2, dvec2};
 
 /// Widest label that gets a margin of its own [px].

@@ -2,12 +2,12 @@
 
 use super::line::{Line, Shape};
 use super::{Chart, GuideKind, Quantity, names, strips};
-use crate::kit::figure::axis::{Ruler, Scale};
-use crate::kit::figure::drawing::{Anchor, Drawing, Face, Fill, Rect, Stroke, Text};
-use crate::kit::figure::font;
-use crate::kit::figure::heading::{MARGIN, SIZE};
-use crate::kit::figure::ink::Ink;
-use crate::kit::figure::label::Placer;
+use crate::figure::axis::{Ruler, Scale};
+use crate::figure::drawing::{Anchor, Drawing, Face, Fill, Rect, Stroke, Text};
+use crate::figure::font;
+use crate::figure::heading::{MARGIN, SIZE};
+use crate::figure::ink::Ink;
+use crate::figure::label::Placer;
 use crate::measure::{Spread, pareto};
 use glam::{DVec2, dvec2};
 

@@ -2,10 +2,10 @@
 
 use super::line::Line;
 use super::plot::{Plot, Ticks};
-use crate::kit::figure::drawing::{Anchor, Drawing, Fill, Rect, Text};
-use crate::kit::figure::heading::{SIZE, grouped, percent};
-use crate::kit::figure::ink::Ink;
-use crate::kit::figure::label::{Candidate, Placer};
+use crate::figure::drawing::{Anchor, Drawing, Fill, Rect, Text};
+use crate::figure::heading::{SIZE, grouped, percent};
+use crate::figure::ink::Ink;
+use crate::figure::label::{Candidate, Placer};
 use glam::{DVec2, dvec2};
 
 /// Height of a method's row of failures [px].

@@ -2,10 +2,10 @@
 
 use super::marks::{self, Mark};
 use super::{Diagram, View};
-use crate::kit::figure::drawing::{Anchor, Drawing, Face, Rect, Stroke, Text, head_size};
-use crate::kit::figure::heading::{MARGIN, SIZE};
-use crate::kit::figure::ink::Ink;
-use crate::kit::figure::label::{Candidate, Placer};
+use crate::figure::drawing::{Anchor, Drawing, Face, Rect, Stroke, Text, head_size};
+use crate::figure::heading::{MARGIN, SIZE};
+use crate::figure::ink::Ink;
+use crate::figure::label::{Candidate, Placer};
 use glam::{DVec2, dvec2};
 use std::f64::consts::TAU;
 

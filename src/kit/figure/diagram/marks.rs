@@ -1,8 +1,8 @@
 //! The marks of a ray diagram, from world coordinates to the canvas.
 
 use super::{Light, View};
-use crate::kit::figure::drawing::{Chain, Drawing, Ends, Fill, Item, Rect, Stroke, arc};
-use crate::kit::figure::ink::{Hue, Ink};
+use crate::figure::drawing::{Chain, Drawing, Ends, Fill, Item, Rect, Stroke, arc};
+use crate::figure::ink::{Hue, Ink};
 use glam::{DVec2, dvec2};
 use std::f64::consts::{PI, TAU};
 

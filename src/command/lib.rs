@@ -3,19 +3,17 @@
 //! stdout carries results, and last the paths written, one a line; stderr carries progress, notes and
 //! errors. Exit codes: 0 done, 1 a claim failed or a file could not be written, 2 wrong usage or input.
 
-pub mod check;
-pub mod compare;
 mod convert;
 mod figures;
 mod render;
 
-use crate::film::file::FileError;
-use crate::kit::flags::Flags;
-use crate::kit::progress::say;
-use crate::probe;
-use crate::scene_file::Color;
 use clap::{Parser, Subcommand};
-use compare::CompareError;
+use lightbench_kit::compare::{self, CompareError};
+use lightbench_kit::file::FileError;
+use lightbench_kit::flags::Flags;
+use lightbench_kit::probe;
+use lightbench_kit::progress::say;
+use lightbench_kit::scene_file::{self, Color};
 use std::io::{IsTerminal, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -171,16 +169,18 @@ fn compare_pictures(a: &Path, b: &Path, flags: &Flags) -> Result<String, Failure
 /// Checks scene files one after the other; the reports are the result, and a file with problems fails.
 fn check_files(files: &[PathBuf], flags: &Flags) -> Result<String, Failure> {
     if flags.list {
-        return Ok(crate::scene_file::reference());
+        return Ok(scene_file::reference());
     }
     if files.is_empty() {
         return Err(Failure::input("check: expected scene files, found none"));
     }
     // Right files are reported on stdout, wrong ones on stderr: colours only where neither is a file.
     let color = if std::io::stdout().is_terminal() { render::stderr_color() } else { Color::Never };
-    let reports: Vec<_> = files.iter().map(|file| check::check(file, color)).collect();
+    let reports: Vec<_> = files.iter().map(|file| scene_file::check::check(file, color)).collect();
     let (right, wrong): (Vec<_>, Vec<_>) = reports.into_iter().partition(|r| r.problems == 0);
-    let texts = |reports: Vec<check::CheckReport>| reports.into_iter().map(|r| r.text).collect::<String>();
+    let texts = |reports: Vec<scene_file::check::CheckReport>| {
+        reports.into_iter().map(|r| r.text).collect::<String>()
+    };
     if wrong.is_empty() {
         return Ok(texts(right));
     }

@@ -18,7 +18,7 @@ pub use atomic::write_atomically;
 pub use decode::read;
 pub use encode::encode;
 
-use super::Image;
+use crate::film::Image;
 use std::path::{Path, PathBuf};
 
 /// A format that pictures are written in.

@@ -1,3 +1,3 @@
 fn main() -> std::process::ExitCode {
-    lightbench::command::main()
+    lightbench_command::main()
 }

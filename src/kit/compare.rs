@@ -1,8 +1,8 @@
 //! `compare`: the numbers and the picture of what two picture files differ in.
 
+use crate::file::{self, FileError, Format};
 use crate::film::Image;
 use crate::film::error_picture::{ErrorPicture, signed_error};
-use crate::film::file::{self, FileError, Format};
 use crate::film::metric::{self, Comparison};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

@@ -9,6 +9,7 @@
 
 mod blocks;
 mod build;
+pub mod check;
 pub mod csg;
 mod declared;
 mod diagnostic;
