@@ -35,7 +35,7 @@ const TIMED: [f64; 3] = [1.0e2, 1.0e4, 1.0e6]; // distance/radius
 type Line<R> = (Triple<R>, Triple<R>); // f and d
 
 fn main() -> Result {
-    let lesson = Lesson::open(2)?;
+    let lesson = Lesson::without_essay(2)?;
 
     // 1. The truth: lines whose meeting is known beyond f64.
     let rays = lesson.pick([64, 512, 4096, 16384]);

@@ -35,7 +35,7 @@ const SCENES: [(&str, &str); 2] = [
 ];
 
 fn main() -> Result {
-    let lesson = Lesson::open(10)?;
+    let lesson = Lesson::without_essay(10)?;
     let (seed, size) = (lesson.seed(), lesson.pick([24, 96, 256, 512]));
     let (small, samples) = (lesson.pick([20, 130, 300, 420]), lesson.pick([1, 4, 16, 16]));
 
@@ -96,7 +96,7 @@ fn scene_3(size: usize) -> Result<Figure> {
         .alt("Two pictures of a white rounded box with tunnels that floats in a red and green room, with a soft and a hard shadow.");
     for (path, label) in SCENES {
         let whole = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-        let file = read_file(&whole).map_err(|e| LessonError::Other(e.render(Color::Never)))?;
+        let file = read_file(&whole).map_err(|e| LessonError(e.render(Color::Never)))?;
         let picture = Picture { width: size, height: size, samples: 1, seed: 0 };
         let image = render(&file.scene, &Local::default(), picture).image;
         panels = panels.picture(Pixels::from(&image), label);

@@ -96,7 +96,7 @@ pub(super) fn render(args: &RenderArgs, flags: &Flags) -> Result<String, Failure
     for path in scenes {
         let file = open(path, flags)?;
         let picture = picture(&file, flags)?;
-        jobs.push((path, file, picture, target(path, args, flags)));
+        jobs.push((path, file, picture, target(path, args, flags)?));
     }
     for (i, job) in jobs.iter().enumerate() {
         if let Some(same) = jobs[..i].iter().find(|other| other.3 == job.3) {
@@ -151,20 +151,25 @@ fn stem(path: &Path) -> String {
 }
 
 /// Where the picture of a scene, or the drawing of its pixel, goes.
-fn target(path: &Path, args: &RenderArgs, flags: &Flags) -> PathBuf {
-    flags.out().join(match args.pixel {
+fn target(path: &Path, args: &RenderArgs, flags: &Flags) -> Result<PathBuf, Failure> {
+    Ok(flags.out().join(match args.pixel {
         Some((x, y)) => format!("{}_pixel_{x}_{y}.svg", stem(path)),
-        None => format!("{}.{}", stem(path), format(flags).extension()),
-    })
+        None => format!("{}.{}", stem(path), format(flags)?.extension()),
+    }))
 }
 
-fn format(flags: &Flags) -> Format {
-    match flags.format {
+fn format(flags: &Flags) -> Result<Format, Failure> {
+    Ok(match flags.format {
         None | Some(PictureFormat::Png) => Format::Png8,
         Some(PictureFormat::Png16) => Format::Png16,
         Some(PictureFormat::Exr) => Format::Exr,
         Some(PictureFormat::Hdr) => Format::Hdr,
-    }
+        Some(PictureFormat::Svg | PictureFormat::Pdf) => {
+            return Err(Failure::input(
+                "--format: expected png, png16, exr or hdr for a render, found a format of charts",
+            ));
+        }
+    })
 }
 
 /// Refuses, before the work, a folder that is or lies in something else.
@@ -242,7 +247,7 @@ fn render_picture(
     args: &RenderArgs,
     flags: &Flags,
 ) -> Result<String, Failure> {
-    let format = format(flags);
+    let format = format(flags)?;
     let Rendered { image, .. } = render_scene(&stem(path), file, picture, args, flags)?;
     let image = match format {
         Format::Png8 | Format::Png16 => args.tone.map().apply(&image),

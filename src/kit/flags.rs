@@ -78,6 +78,10 @@ pub enum PictureFormat {
     Exr,
     /// Radiance HDR, linear, 8 bits and a shared exponent
     Hdr,
+    /// Vectors, for charts and diagrams of lessons
+    Svg,
+    /// Vectors for LaTeX, for charts and diagrams of lessons
+    Pdf,
 }
 
 impl Flags {
@@ -112,7 +116,7 @@ impl Flags {
         add("spp", self.spp.map(|n| n.to_string()));
         add("only", self.only.as_deref().map(quoted));
         let format = |f: PictureFormat| f.to_possible_value().map(|v| v.get_name().to_string());
-        add("format", self.format.filter(|f| *f != PictureFormat::Png).and_then(format));
+        add("format", self.format.and_then(format));
         out
     }
 }

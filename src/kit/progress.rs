@@ -64,6 +64,29 @@ impl Progress {
         }
     }
 
+    /// `share` of the work is done, and `what` begins.
+    pub fn step(&self, what: &str, share: f64) {
+        if let Some(bar) = &self.bar {
+            bar.set_message(format!("{}: {what}", self.name));
+        }
+        self.set(share);
+    }
+
+    /// Does something on the terminal that the bar must not overwrite.
+    pub fn suspend<T>(&self, work: impl FnOnce() -> T) -> T {
+        match &self.bar {
+            Some(bar) => bar.suspend(work),
+            None => work(),
+        }
+    }
+
+    /// Takes the bar away.
+    pub fn clear(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+
     /// Ends with one last line: the time, and what `work` says was done in it.
     pub fn finish(self, work: &str) -> Duration {
         let elapsed = self.started.elapsed();

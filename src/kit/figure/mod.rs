@@ -5,7 +5,7 @@
 //! gives the same bytes. A [`Figure`] is a drawing with its words: title, caption, alternative text, provenance.
 //!
 //! ```
-//! use lightbench::kit::figure::{Chart, Figure, Guide};
+//! use lightbench_kit::figure::{Chart, Figure, Guide};
 //! let chart = Chart::speed_accuracy("relative error of t")
 //!     .title("One Newton step gains eight digits")
 //!     .curve("plain", &[(20.0, 1.0e-8), (40.0, 1.0e-9)])

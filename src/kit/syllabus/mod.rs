@@ -1,4 +1,8 @@
-//! The only list of lessons.
+//! The only list of lessons, and what each leaves behind when it has run.
+
+mod record;
+
+pub use record::{ClaimRecord, FigureRecord, LessonRecord};
 
 /// A lesson's place in the course.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
