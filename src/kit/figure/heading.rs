@@ -39,6 +39,7 @@ impl Heading {
             y += size * 1.3;
             drawing.text(Text::new(dvec2(MARGIN, y), line, size, Ink::Muted));
         }
+        drawing.heading = (y + 8.0, drawing.items.len());
         y + 26.0
     }
 

@@ -117,6 +117,20 @@ impl Figure {
         self
     }
 
+    /// The figure without the heading drawn in it: for slides, and for pages that have the heading as text.
+    pub fn without_heading(mut self) -> Self {
+        self.drawing = self.drawing.without_heading();
+        self
+    }
+    /// The figure with other drawings below it, each with its own heading: what belongs together on one sheet.
+    pub fn stacked<F: Into<Figure>>(mut self, below: F) -> Self {
+        let below = below.into();
+        self.drawing = self.drawing.above(below.drawing);
+        self.alt = format!("{} {}", self.alt, below.alt);
+        self.data.extend(below.data);
+        self
+    }
+
     /// The SVG file.
     pub fn svg(&self) -> String {
         let seed = self.seed();

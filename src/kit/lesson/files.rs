@@ -84,6 +84,7 @@ impl Lesson {
         let mut provenance = self.provenance();
         provenance.parameters = figure.provenance.parameters.clone();
         let figure = figure.provenance(provenance);
+        let figure = if self.cli.no_title { figure.without_heading() } else { figure };
         let svg = figure.svg();
         let format = match self.cli.flags.format {
             Some(PictureFormat::Pdf) => "pdf",
@@ -101,6 +102,8 @@ impl Lesson {
         files.extend(self.data(name, &figure.data)?);
         let mut record = self.words(name, &figure.title, &figure.caption, &figure.alt, files);
         (record.width, record.height) = (figure.drawing.width, figure.drawing.height);
+        record.heading = figure.drawing.heading.0;
+        record.text = figure.drawing.smallest_text().unwrap_or(0.0);
         self.record.borrow_mut().figures.push(record);
         Ok(())
     }

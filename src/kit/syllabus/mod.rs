@@ -32,7 +32,7 @@ pub const SYLLABUS: &[Entry] = &[
     Entry {
         number: 2,
         name: "sphere",
-        question: "Which of three ways to meet a sphere survives distance, and what does it cost?",
+        question: "Which of three formulas for a ray and a sphere survives distance, and what does it cost?",
         chapter: "Seeing",
         introduces: &["shape::sphere", "shape"],
         builds_on: &[(1, "a pixel becomes a ray")],

@@ -160,9 +160,11 @@ impl Chart {
         self
     }
 
-    /// A measured method.
+    /// A measured method; its points are joined in the order of the parameter, whatever the axes measure.
     pub fn line(self, method: impl Into<Method>, series: &Series) -> Self {
-        self.measured(method.into(), series, Line::sorted)
+        let mut ordered = series.clone();
+        ordered.points.sort_by(|a, b| a.parameter.total_cmp(&b.parameter));
+        self.measured(method.into(), &ordered, |line| line)
     }
     /// A measured method whose points follow each other in the order given, wherever that leads.
     pub fn steps(self, method: impl Into<Method>, series: &Series) -> Self {
