@@ -260,9 +260,9 @@ pub fn triangle() -> Figure {
     let diagram = Diagram::fitted()
         .circle(c, r)
         .ray(Light::Incident, o, dvec2(8.6, 0.0))
-        .name_end("D")
+        .name_end("ray")
         .path(Light::Normal, &[o, c])
-        .name("L")
+        .name("f")
         .path(Light::Other, &[foot, c])
         .name("d")
         .path(Light::Normal, &[c, p1])
@@ -284,13 +284,13 @@ pub fn triangle() -> Figure {
         .name("P′")
         .title("Two right triangles share the distance d")
         .subtitle(
-            "d² = L·L − t_{ca}²  and  t_{hc}² = r² − d²: far away, d² is a small difference of huge squares",
+            "d² = f·f − t_{ca}²  and  t_{hc}² = r² − d²: far away, d² is a small difference of huge squares",
         );
     captioned(
         diagram,
-        "The geometric way: L from origin to centre, its projection t_ca on the ray, the distance d and half the chord t_hc (after \
-         Anguera, figure 6.2). The robust way is the same picture, but measures d as the length of a vector.",
-        "A ray from O crosses a circle with centre C at P and P prime; L joins O to C; d is the perpendicular from C to the \
+        "f joins centre and origin; d is the distance of the ray from the centre; the two right triangles give the distances \
+         along the ray (after Anguera, figure 6.2).",
+        "A ray from O crosses a circle with centre C at P and P prime; f joins O to C; d is the perpendicular from C to the \
          ray; t_ca reaches from O to its foot and t_hc from there to P prime.",
     )
 }

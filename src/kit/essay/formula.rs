@@ -63,7 +63,7 @@ const SIGNS: &[(&str, &str)] = &[
     ("Sigma", "Σ"),
     ("Phi", "Φ"),
     ("Omega", "Ω"),
-    ("cdot", "·"),
+    ("cdot", " · "),
     ("times", "×"),
     ("div", "÷"),
     ("pm", "±"),

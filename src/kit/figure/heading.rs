@@ -43,6 +43,11 @@ impl Heading {
         y + 26.0
     }
 
+    /// What a caption says of itself: the subtitle, since the title stands beside it.
+    pub fn caption(&self) -> String {
+        font::plain(&self.subtitle)
+    }
+
     /// Title and subtitle as one text.
     pub fn sentence(&self) -> String {
         match (self.title.is_empty(), self.subtitle.is_empty()) {

@@ -91,13 +91,13 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// A figure of any drawing; its caption is the title until [`Figure::caption`] says more.
+    /// A figure of any drawing; its caption is empty until [`Figure::caption`] says what the title does not.
     pub fn new(drawing: Drawing, title: &str, alt: &str) -> Self {
         let plain = font::plain(title);
         Figure {
             drawing,
-            title: plain.clone(),
-            caption: plain,
+            title: plain,
+            caption: String::new(),
             alt: font::plain(alt),
             provenance: Provenance::default(),
             repeats: Repeats::Always,

@@ -177,7 +177,7 @@ impl From<Table> for Figure {
             table.columns.join(", ")
         );
         let mut figure = Figure::new(table.draw(), &table.heading.title, &alt);
-        figure.caption = table.heading.sentence();
+        figure.caption = table.heading.caption();
         figure.repeats = table.repeats;
         figure.data.push(Data { repeats: table.repeats, csv: table.csv() });
         figure

@@ -250,7 +250,7 @@ impl Chart {
 impl From<Chart> for Figure {
     fn from(chart: Chart) -> Figure {
         let mut figure = Figure::new(chart.draw(), &chart.heading.title, &chart.alt());
-        figure.caption = chart.heading.sentence();
+        figure.caption = chart.heading.caption();
         figure.data = chart.data();
         let timed = chart.sources.0 == Quantity::Time || chart.sources.1 == Quantity::Time;
         figure.repeats = if timed && !chart.series.is_empty() { Repeats::Timed } else { Repeats::Always };
