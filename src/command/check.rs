@@ -54,8 +54,9 @@ fn check_csg(path: &Path, color: Color) -> CheckReport {
 fn summary(name: &str, file: &SceneFile) -> String {
     let (scene, settings) = (&file.scene, &file.settings);
     let areas = scene.lights.iter().filter(|l| matches!(l, Light::Area(_))).count();
+    let diffuse = scene.materials.iter().filter(|m| m.model.is_none()).count();
     format!(
-        "{name}: right\n  {}, {}, {} ({} without size, {areas} with area)\n  {} × {} pixels, {} each; \
+        "{name}: right\n  {}, {} ({diffuse} with `Model lambert`), {} ({} without size, {areas} with area)\n  {} × {} pixels, {} each; \
          local illumination shoots up to {} per pixel\n",
         counted(scene.objects.len(), "object"),
         counted(scene.materials.len(), "material"),
@@ -68,6 +69,7 @@ fn summary(name: &str, file: &SceneFile) -> String {
     )
 }
 
-fn counted(n: usize, what: &str) -> String {
+/// `1 object`, `2 objects`.
+pub(super) fn counted(n: usize, what: &str) -> String {
     format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }

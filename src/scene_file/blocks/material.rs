@@ -9,7 +9,7 @@ pub const MODELS: &[&str] =
 
 /// Parameters that some models read, and which.
 pub const READ_BY: &[(&str, &[&str])] = &[
-    // Without a model it is a remark on all that has no effect yet.
+    // The document's materials have no model and write it all the same.
     ("Roughness", &["lambert", "cook-torrance", "rough"]),
     ("Exponent", &["phong", "blinn", "lafortune"]),
     ("Normalisation", &["phong", "blinn"]),
