@@ -227,7 +227,7 @@ fn what_cannot_be_converted_is_told_and_writes_nothing() {
         ("convert right.scene ball.scene", "none of them a `CSG`"),
         ("convert right.scene named.scene", "named.scene:4:1: error: `CSG` comes from another file"),
         ("convert right.scene missing.scene", "missing.scene: cannot be read"),
-        ("convert right.scene right.scene", "two files would be called"),
+        ("convert right.scene right.scene", "two trees would be written to out/right.csg"),
     ] {
         let ran = bench.line(line);
         assert_eq!(ran.code, Some(2), "{line}");
