@@ -33,7 +33,7 @@ struct Cli {
 }
 
 const CHECK: &str = "\
-Report every problem in scene files and `.csg` files (`--list` shows what may stand in one).
+Report every problem in scene and `.csg` files (`--list` shows what may stand in one).
 A `.csg` file is read as `CSG { Source \"x.csg\" }` reads it: with this tracer's own blocks and parameters, which
 `--list` marks with †. Document D's editor may not read them.";
 
@@ -59,7 +59,7 @@ enum Verb {
         #[command(flatten)]
         flags: Flags,
     },
-    /// Report every problem in scene files and `.csg` files (`--list` shows what may stand in one)
+    /// Report every problem in scene and `.csg` files (`--list` shows what may stand in one)
     #[command(long_about = CHECK)]
     Check {
         /// Scene files and `.csg` files

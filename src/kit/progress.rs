@@ -81,6 +81,15 @@ impl Progress {
     }
 }
 
+/// Work that stops early leaves no bar behind.
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some(bar) = self.bar.as_ref().filter(|bar| !bar.is_finished()) {
+            bar.finish_and_clear();
+        }
+    }
+}
+
 /// Says something on stderr. Whoever closed it does not want to know; that is no reason to fail, as `eprint!` would.
 pub fn say(text: &str) {
     let _ = std::io::stderr().write_all(text.as_bytes());
@@ -95,7 +104,7 @@ fn left(share: f64, elapsed: Duration) -> Option<String> {
 
 /// A time as a person tells it, in its two largest units: `47 s`, `3 min 20 s`, `5 h 2 min`, `3 days 4 h`.
 pub fn in_words(time: Duration) -> String {
-    let seconds = time.as_secs() + u64::from(time.subsec_nanos() > 0); // never too little
+    let seconds = time.as_secs().saturating_add(u64::from(time.subsec_nanos() > 0)); // never too little
     let (minutes, hours) = (seconds / 60, seconds / 3600);
     match hours {
         48.. => format!("{} days {} h", hours / 24, hours % 24),

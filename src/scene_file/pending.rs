@@ -28,6 +28,19 @@ const PENDING: &[Pending] = &[
     Pending { param: "ReflectionAngle", asks: |m, s| mirrors(m, s) && m.reflection_angle > 0.0 },
 ];
 
+/// Settings without effect.
+const PENDING_SETTINGS: &[&str] =
+    &["ReflectionQuality", "ReflectionSteps", "IndirectQuality", "ColorBleeding"];
+
+/// Has this parameter of a block no effect yet, whatever its value?
+pub fn is_pending(block: &str, param: &str) -> bool {
+    match block {
+        "SceneSettings" => PENDING_SETTINGS.contains(&param),
+        "Material" => PENDING.iter().any(|p| p.param == param),
+        _ => false,
+    }
+}
+
 /// Most materials named for one parameter.
 const NAMED: usize = 4;
 

@@ -2,6 +2,7 @@
 
 use super::blocks::{TRANSFORMATIONS, rules};
 use super::format::{Default, Origin, Param, Rule, State, Times};
+use super::pending::is_pending;
 
 /// A small scene that a reader can copy.
 const EXAMPLE: &str = include_str!("example.scene");
@@ -11,7 +12,7 @@ const EXAMPLE: &str = include_str!("example.scene");
 pub fn reference() -> String {
     let mut out = format!(
         "A scene file describes what is seen, from where, and in which light. This is a whole one; saved as `first.scene`, \
-         `lightbench render first.scene` makes a picture of it:\n\n```text\n{EXAMPLE}```\n\n\
+         `cargo run -- render first.scene` makes a picture of it:\n\n```text\n{EXAMPLE}```\n\n\
          A scene file is UTF-8 text: blocks `Name {{ Parameter values … }}` in any order, parameters in any \
          order, white space and line breaks anywhere between words. `#` begins a comment, to the end of the \
          line. Materials are declared before they are used. Names distinguish capital letters. A scene has a `Camera` and at \
@@ -32,7 +33,7 @@ fn transformations() -> String {
          written.\n\n",
     );
     out.push_str(HEAD);
-    TRANSFORMATIONS.iter().for_each(|param| out.push_str(&row(param)));
+    TRANSFORMATIONS.iter().for_each(|param| out.push_str(&row("", param)));
     out
 }
 
@@ -42,7 +43,7 @@ fn section(rule: &Rule) -> String {
     let later = if rule.state == State::Planned { " *Not supported yet.*" } else { "" };
     let mut out = format!("\n### `{}`{}\n\n{}{later}\n\n{HEAD}", rule.name, mark(rule.origin), rule.doc);
     let (moved, own): (Vec<&Param>, Vec<&Param>) = rule.params.iter().partition(|p| is_transformation(p));
-    own.into_iter().for_each(|param| out.push_str(&row(param)));
+    own.into_iter().for_each(|param| out.push_str(&row(rule.name, param)));
     if let [first, ..] = moved[..] {
         let mark = mark(first.origin);
         out.push_str(&format!("\nTransformations{mark}: see [above](#transformations).\n"));
@@ -54,10 +55,11 @@ fn is_transformation(param: &Param) -> bool {
     TRANSFORMATIONS.iter().any(|t| t.name == param.name)
 }
 
-fn row(param: &Param) -> String {
+fn row(block: &str, param: &Param) -> String {
+    let later = if is_pending(block, param.name) { " *No effect yet.*" } else { "" };
     let repeat = if param.times == Times::Any { "; may be repeated" } else { "" };
     format!(
-        "| `{}`{} | `{}`: {} | {} | {} | {}{repeat} |\n",
+        "| `{}`{} | `{}`: {} | {} | {} | {}{repeat}{later} |\n",
         param.name,
         mark(param.origin),
         param.values,
