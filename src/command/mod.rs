@@ -34,13 +34,13 @@ struct Cli {
 
 const CHECK: &str = "\
 Report every problem in scene and `.csg` files (`--list` shows what may stand in one).
-A `.csg` file is read as `CSG { Source \"x.csg\" }` reads it: with this tracer's own blocks and parameters, which
-`--list` marks with †. Document D's editor may not read them.";
+A `.csg` file is read as this tracer reads it for `CSG { Source \"x.csg\" }`: with its own blocks and
+parameters, marked † in that list, which document D's editor may not read.";
 
 const CONVERT: &str = "\
 Write the trees of solids of scene files as `.csg` files.
-This tracer reads them back with `CSG { Source \"x.csg\" }`. Where a tree uses the tracer's own blocks and
-parameters (marked † in `lightbench check --list`), document D's editor may not read the file.";
+This tracer reads them with `CSG { Source \"x.csg\" }`. Where a tree has the tracer's own blocks and
+parameters, marked † in `lightbench check --list`, document D's editor may not read the file.";
 
 #[derive(Subcommand)]
 enum Verb {

@@ -1,6 +1,6 @@
 //! `check`: right and wrong scene files.
 
-use crate::bench::Bench;
+use crate::bench::{Bench, root};
 
 #[test]
 fn right_files_on_stdout_wrong_ones_on_stderr() {
@@ -25,7 +25,7 @@ fn right_files_on_stdout_wrong_ones_on_stderr() {
 /// The scene that the reference begins with can be pasted into a file as it is.
 #[test]
 fn the_references_first_scene_renders_as_pasted() {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("SCENE_FORMAT.md");
+    let path = root().join("SCENE_FORMAT.md");
     let text = std::fs::read_to_string(path).expect("SCENE_FORMAT.md");
     let block = text.split("```").nth(1).expect("a block of code");
     let scene = block.split_once('\n').expect("the scene begins on the next line").1;
@@ -41,7 +41,7 @@ fn the_references_first_scene_renders_as_pasted() {
 
 #[test]
 fn the_projects_own_scenes_are_right() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let folder = root().join("scenes");
     let bench = Bench::new("check_own");
     let mut all = 0;
     for entry in std::fs::read_dir(folder).expect("scenes").flatten() {
