@@ -1,5 +1,6 @@
 //! `lightbench check`: is this scene file right, and what is in it?
 
+use super::target;
 use crate::light::Light;
 use crate::scene_file::{Color, SceneFile, csg, read_file};
 use std::path::Path;
@@ -17,6 +18,9 @@ pub struct CheckReport {
 pub fn check(path: &Path, color: Color) -> CheckReport {
     if path.extension().is_some_and(|e| e == "csg") {
         return check_csg(path, color);
+    }
+    if let Err(failure) = target::scene(path) {
+        return CheckReport { text: failure.message + "\n", problems: 1 };
     }
     match read_file(path) {
         Ok(file) => {

@@ -13,6 +13,7 @@ pub(super) fn convert(files: &[PathBuf], flags: &Flags) -> Result<String, Failur
     if files.is_empty() {
         return Err(Failure::input("convert: expected scene files, found none"));
     }
+    files.iter().try_for_each(|file| target::scene(file))?;
     let out = target::named(flags.out.as_deref(), &["csg"])?;
     let folder = match &out {
         Out::Folder(folder) => folder.as_path(),

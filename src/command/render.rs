@@ -110,6 +110,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<String, Failure> {
         return Ok(list());
     }
     let scenes = chosen(args, flags)?;
+    scenes.iter().try_for_each(|path| target::scene(path))?;
     let mut targets: Vec<(&Path, PathBuf, Flags)> = Vec::new();
     for &path in &scenes {
         let target = target(path, args, scenes.len() == 1)?;

@@ -66,6 +66,20 @@ pub(super) fn unknown_ending(flag: &str, name: &Path, endings: &[&str]) -> Failu
     Failure::input(format!("{flag} {}: expected one of the endings .{expected}", name.display()))
 }
 
+/// Refuses a file that is no scene by its ending, and says what it is for.
+pub(super) fn scene(file: &Path) -> Result<(), Failure> {
+    let is = match ending(file).as_str() {
+        "csg" => {
+            "a tree of solids, which a scene names: `CSG { Material …  Source \"…\" }` (`check` takes it alone)"
+        }
+        "obj" => "a mesh, which a scene names: `Mesh { Material …  Source \"…\" }`",
+        "mtl" => "materials, which a mesh names",
+        ending if PICTURES.contains(&ending) => "a picture (`compare` takes two)",
+        _ => return Ok(()),
+    };
+    Err(Failure::input(format!("{}: expected a scene file, found {is}", file.display())))
+}
+
 /// The ending of a path in small letters, without the dot.
 pub(super) fn ending(path: &Path) -> String {
     path.extension().unwrap_or_default().to_string_lossy().to_lowercase()
