@@ -104,7 +104,7 @@ pub const SYLLABUS: &[Entry] = &[
     Entry {
         number: 10,
         name: "csg",
-        question: "How do spans along a ray make solids out of solids, and when do the documents' rules break?",
+        question: "How does a ray find its way through solids made of solids, and which rules break?",
         chapter: "Surfaces",
         introduces: &["csg", "shape::cylinder"],
         builds_on: &[(3, "a scene, a light, a picture"), (4, "rays along faces"), (7, "a shape under a map")],
