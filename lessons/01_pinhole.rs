@@ -42,7 +42,7 @@ const REPETITIONS: u32 = 16; // an RMS error over 16 runs scatters by 1/âˆš32 â‰
 type Estimator = fn(Sampler) -> f64;
 
 fn main() -> Result {
-    let lesson = Lesson::open(1)?;
+    let lesson = Lesson::without_essay(1)?;
 
     // 1. The truth: a pixel's way through four spaces, and two closed forms for light through a hole.
     lesson.say(&spaces::of_one_pixel());

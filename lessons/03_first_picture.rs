@@ -45,7 +45,7 @@ const WAYS: [Way; 5] = [
 ];
 
 fn main() -> Result {
-    let lesson = Lesson::open(3)?;
+    let lesson = Lesson::without_essay(3)?;
     let (flags, [big, side]) = (lesson.flags(), lesson.pick([[96, 24], [512, 80], [512, 160], [1024, 240]]));
     let size = |px: Option<u16>| px.map_or(big, usize::from);
     let samples = flags.spp.map_or(1, u32::from);

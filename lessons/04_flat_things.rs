@@ -37,7 +37,7 @@ type Face = [DVec3; 3];
 type Count = fn(&Ray, &[Face]) -> usize;
 
 fn main() -> Result {
-    let lesson = Lesson::open(4)?;
+    let lesson = Lesson::without_essay(4)?;
 
     // 1. The truth: what the words mean. A ray from inside a closed surface meets it.
     diagrams::save(&lesson)?;

@@ -36,7 +36,7 @@ const CLOSE: f64 = 1.0e-11; // depth [b] of grazing rays in the map and over b/a
 const PLAIN: (f64, f64) = (0.3, 10.0); // b/a and D/a where another parameter is swept
 
 fn main() -> Result {
-    let lesson = Lesson::open(5)?;
+    let lesson = Lesson::without_essay(5)?;
     let (seed, rays) = (lesson.seed(), lesson.pick([48, 512, 2048, 8192]));
 
     // 1. The truth: signs with 106 bits and bisection, slow and apart from all contestants.

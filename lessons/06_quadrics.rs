@@ -33,7 +33,7 @@ const WORLD: f64 = 1.0e4; // radii: a house in a town, where the answer is given
 const PARABOLOID: f64 = 1.0e4; // distance [focal parameters] of the rays almost parallel to its axis
 
 fn main() -> Result {
-    let lesson = Lesson::open(6)?;
+    let lesson = Lesson::without_essay(6)?;
 
     // 1. The truth: the quadratic in 106 bits, from the shape's own numbers; and what the words mean, drawn.
     let rays = lesson.pick([64, 512, 4096, 16384]);

@@ -32,7 +32,7 @@ const GAPS: (f64, f64) = (1.0e-16, 1.0); // 1 + z of the directions round which 
 const TURN: f64 = 0.1; // rad, of each of the many rotations that are composed
 
 fn main() -> Result {
-    let lesson = Lesson::open(7)?;
+    let lesson = Lesson::without_essay(7)?;
 
     // 1. The truth: what the words mean, two rotations by hand, and meetings in 106 bits in the shape's own space.
     diagrams::save(&lesson)?;

@@ -40,7 +40,7 @@ const STEEP: std::ops::Range<f64> = 0.005..0.2; // m; amplitudes of the ripples
 const RIPPLES: f64 = 20.0; // rad/m
 
 fn main() -> Result {
-    let lesson = Lesson::open(8)?;
+    let lesson = Lesson::without_essay(8)?;
     let width = lesson.pick([24, 72, 120, 200]);
 
     // 1. The truth: the same shapes by their formulas.

@@ -41,7 +41,7 @@ const TOLERANCE: std::ops::Range<f64> = 1.0e-8..1.0e-1;
 const MOST: u32 = 2000;
 
 fn main() -> Result {
-    let lesson = Lesson::open(9)?;
+    let lesson = Lesson::without_essay(9)?;
     let rays = rays(lesson.seed(), lesson.pick([32, 400, 1500, 6000]));
 
     // 1. The truth: the certified first hit of the set after many steps, and of each set with fewer.

@@ -31,7 +31,7 @@ const FEWEST: u32 = 2; // as a power of two
 const DIRECTIONS: u32 = 256; // from which a silhouette is looked at
 
 fn main() -> Result {
-    let lesson = Lesson::open(11)?;
+    let lesson = Lesson::without_essay(11)?;
     let seed = lesson.seed();
 
     // 1. The truth: the cylinder and the sphere by their formulas.

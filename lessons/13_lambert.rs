@@ -29,7 +29,7 @@ use overexposed::{Way, turns};
 use study::{Study, given_up};
 
 fn main() -> Result {
-    let lesson = Lesson::open(13)?;
+    let lesson = Lesson::without_essay(13)?;
     let [width, rounds, shown, big] =
         lesson.pick([[24, 1, 24, 48], [64, 5, 200, 512], [96, 5, 280, 800], [160, 9, 560, 1280]]);
     let sized = |width: usize| Picture { width, height: width * 5 / 8, samples: 1, seed: lesson.seed() };
@@ -48,7 +48,7 @@ fn main() -> Result {
     lesson.save("trade_tests", study::trade(&study, false))?;
     lesson.save("orders", study::orders(&study))?;
     lesson.save("prices", study::prices(&study))?;
-    lesson.save("ambient", pictures::ambient(sized(big))?)?;
+    lesson.save("ambient_over_albedo", pictures::ambient(sized(big))?)?;
     lesson.save("laws", pictures::laws(sized(big))?)?;
     let (at_the_eye, changed) = lamps::at_the_eye(sized(big))?;
     lesson.save("at_the_eye", at_the_eye)?;

@@ -34,11 +34,11 @@ const PAIR: [f64; 2] = [490.0, 600.0]; // nm, two lines that make white
 const NEIGHBOURS: u32 = 256; // lines, a quarter of a nm apart, at 600 nm
 
 fn main() -> Result {
-    let lesson = Lesson::open(14)?;
+    let lesson = Lesson::without_essay(14)?;
 
     // 1. The truth: the standard's table at 1 nm, its diagram as seen from daylight, and areas in it.
     let locus = Locus::of(Matching::Table1nm);
-    let wheel = locus.wheel(D65).ok_or_else(|| LessonError::Other("daylight is no colour".into()))?;
+    let wheel = locus.wheel(D65).ok_or_else(|| LessonError("daylight is no colour".into()))?;
     let gamuts = diagrams::gamuts();
     orange_by_numbers(&lesson, &wheel);
 

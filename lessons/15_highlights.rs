@@ -36,8 +36,8 @@ const ASIDE: f64 = 60.0; // degrees, where the shapes of the highlights are comp
 type Contest = Vec<(Method, Series)>;
 
 fn main() -> Result {
-    let lesson = Lesson::open(15)?;
-    let wrong = |e: LightError| LessonError::Other(e.to_string());
+    let lesson = Lesson::without_essay(15)?;
+    let wrong = |e: LightError| LessonError(e.to_string());
     let seed = lesson.seed();
 
     // 1. The truth: for a power, the angle between V and R; for N·H, R·V; for constant vectors, those of each place.

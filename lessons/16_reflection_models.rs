@@ -37,8 +37,8 @@ const REPETITIONS: u32 = 32; // an RMS over 32 runs scatters by 1/√64 ≈ 12 %
 type Contest = Vec<(Method, Series)>;
 
 fn main() -> Result {
-    let lesson = Lesson::open(16)?;
-    let wrong = |e: ParameterError| LessonError::Other(e.to_string());
+    let lesson = Lesson::without_essay(16)?;
+    let wrong = |e: ParameterError| LessonError(e.to_string());
 
     // 1. The truth: albedos by quadrature, with their error.
     let contestants = contestants().map_err(wrong)?;

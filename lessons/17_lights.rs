@@ -34,7 +34,7 @@ const FAR: [f64; 26] = [
 ]; // log₁₀ of distances [m]
 
 fn main() -> Result {
-    let lesson = Lesson::open(17)?;
+    let lesson = Lesson::without_essay(17)?;
     let seed = lesson.seed();
     let [wide, small] = [lesson.pick([32, 120, 240, 320]), lesson.pick([24, 64, 96, 128])];
     let tiles = lesson.pick([4, 48, 96, 192]);

@@ -36,7 +36,7 @@ const DISTANCES: [f64; 5] = [0.0, 1.0, 1.0e3, 1.0e6, 1.0e9]; // sizes
 const SINGLE: [f64; 5] = [0.0, 1.0, 1.0e1, 1.0e2, 1.0e3]; // sizes, as far as 24 bits know a surface
 
 fn main() -> Result {
-    let lesson = Lesson::open(18)?;
+    let lesson = Lesson::without_essay(18)?;
     let seed = lesson.seed();
     let sizes: Vec<f64> = (-3..=3).map(|e| 10f64.powi(2 * e)).collect(); // m
     let axes = Axes { sizes: sizes.clone(), distances: DISTANCES.to_vec() };

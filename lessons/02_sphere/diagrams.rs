@@ -3,7 +3,6 @@
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use lightbench::num::real::{Triple, dot};
 use lightbench::shape::sphere::method::{algebraic, algebraic_first, in_front, robust};
-use lightbench_kit::figure::font::plain;
 use lightbench_kit::figure::{Diagram, Figure, Light, Space, Table, short};
 use lightbench_kit::lesson::{Lesson, Result};
 
@@ -11,17 +10,14 @@ fn captioned(diagram: Diagram, caption: &str, alt: &str) -> Figure {
     Figure::from(diagram.alt(alt)).caption(caption)
 }
 
-/// Everything a picture can say before a number is computed.
-pub fn all(lesson: &Lesson) -> Result {
-    lesson.save("definition", definition())?;
-    lesson.save("parametric", parametric())?;
-    lesson.save("ray", ray())?;
-    lesson.save("outside", outside())?;
-    lesson.save("surface", surface())?;
-    lesson.save("inside", inside())?;
-    lesson.save("entering", entering())?;
-    lesson.save("triangle", triangle())?;
-    lesson.save("projection", projection())
+/// The documents' drawings: what a sphere is, what a ray is, where the origin may be, the projection; and an example
+/// that is worked out in print.
+pub fn of_the_documents(lesson: &Lesson) -> Result {
+    lesson.figure("sphere", || Ok(definition().stacked(parametric())))?;
+    lesson.figure("ray", || Ok(ray().stacked(projection())))?;
+    lesson.figure("origins", || Ok(outside().stacked(inside()).stacked(surface())))?;
+    lesson.figure("entering", || Ok(entering()))?;
+    lesson.table("worked_examples", || Ok(worked_examples()))
 }
 
 fn definition() -> Figure {
@@ -39,7 +35,7 @@ fn definition() -> Figure {
         .subtitle("every point p with |p − c| = r; four numbers, and no error of shape");
     captioned(
         diagram,
-        "The sphere by its centre c and radius r: four numbers where a mesh needs thousands (after A, illustration 7).",
+        "The sphere by its centre c and radius r: four numbers where a mesh needs thousands (after Sancho, illustration 7).",
         "A ball with its equator; a point c in the middle, a point p on the surface, the line between them is named r.",
     )
 }
@@ -73,7 +69,7 @@ fn parametric() -> Figure {
         .subtitle("x = r sin θ cos φ,  y = r sin θ sin φ,  z = r cos θ,  with 0 ≤ θ ≤ π and 0 ≤ φ < 2π");
     captioned(
         diagram,
-        "The sphere by two angles: θ from the pole, φ around it (after B, figure 6.1). They serve as texture coordinates later.",
+        "The sphere by two angles: θ from the pole, φ around it (after Anguera, figure 6.1). They serve as texture coordinates later.",
         "A ball with axes x, y and z; a point p on it; angle theta between the z axis and the radius to p, angle phi in \
          the equator from the x axis to the foot of p.",
     )
@@ -98,7 +94,7 @@ fn ray() -> Figure {
         .subtitle("p(t) = o + t d with t > 0; d has length 1, so t is a distance");
     captioned(
         diagram,
-        "A ray: all points o + t d with t > 0 (after B, figure 4.4). A meeting at a negative t lies behind the eye.",
+        "A ray: all points o + t d with t > 0 (after Anguera, figure 4.4). A hit at a negative t lies behind the origin.",
         "An arrow from a point o to the right; dots at t = 1, 2, 3 along it; the part behind o is dashed and named t < 0.",
     )
 }
@@ -153,12 +149,11 @@ fn outside() -> Figure {
         .name(&format!("i_{{1}}, t_{{1}} = {:.3}", p.t.1))
         .point(p.center)
         .name("S_{c}")
-        .title("From outside, the smaller root is what the eye sees")
-        .subtitle("C's first example in the plane of ray and centre, to scale: S_{r} = 3");
+        .title("From outside, the smaller root is visible")
+        .subtitle("the plane of ray and centre, to scale: S_{r} = 3");
     captioned(
         diagram,
-        "Origin outside: both roots are positive, and i₀ at the smaller one is visible (after C, figure 5). The drawing is C's \
-         first example to scale.",
+        "Origin outside: both roots are positive, and i₀ at the smaller one is visible (after Ramos, figure 5, to scale).",
         "A ray from R0 on the left meets a circle at i0 and i1; the normal n at i0 points back to the left; both parameters \
          are written beside the points.",
     )
@@ -183,11 +178,10 @@ fn inside() -> Figure {
         .point(p.center)
         .name("S_{c}")
         .title("From inside, one root lies behind the eye")
-        .subtitle("C's second example in the plane of ray and centre, to scale: S_{r} = 4");
+        .subtitle("the plane of ray and centre, to scale: S_{r} = 4");
     captioned(
         diagram,
-        "Origin inside: t₀ is negative, the ray meets the sphere at i₁ only, and the normal is turned to face it (after C, \
-         figure 7). The drawing is C's second example to scale.",
+        "Origin inside: t₀ is negative, the ray hits the sphere at i₁ only, and the normal is turned to face it (after Ramos, figure 7, to scale).",
         "A ray starts at R0 inside a circle near its left rim and leaves at i1 on the right; the point i0 behind the origin \
          is on the dashed backward line; the normal at i1 points into the circle.",
     )
@@ -213,20 +207,20 @@ fn surface() -> Figure {
         .ray(Light::Shadow, found, found + light * 2.4)
         .name_end("to the light")
         .point(true_point)
-        .word("true meeting")
+        .word("true hit")
         .spot(Light::Other, found)
         .word("computed point")
         .spot(Light::Reflected, again)
-        .word("false meeting, t > 0")
-        .title("A rounded point under the surface shades itself")
+        .word("false hit, t > 0")
+        .title("A rounded point below its surface shades itself")
         .subtitle(&format!(
-            "C's first example in f32 ends {} units {place} the sphere of radius 3; drawn hugely enlarged",
+            "in f32 the point ends {} units {place} the sphere of radius 3; drawn hugely enlarged",
             short(depth.abs())
         ));
     captioned(
         diagram,
-        "Origin on the surface: the computed point lies a rounding off it, and a shadow ray that starts below meets its own \
-         sphere again at a small positive t (after C, figure 6). Moving the origin by the bound of that rounding cures it; \
+        "Origin on the surface: the computed point lies a rounding off it, and a shadow ray that starts below hits its own \
+         sphere again at a small positive t (after Ramos, figure 6). Moving the origin by the bound of that rounding cures it; \
          a fixed tolerance does not.",
         "Close-up of a surface: an incoming ray should end on it but the computed point lies below; a dashed shadow ray from \
          there to the light crosses the surface at a third point.",
@@ -249,26 +243,26 @@ fn entering() -> Figure {
         .word("enters: d·n < 0")
         .spot(Light::Reflected, leave)
         .word("leaves: d·n > 0")
-        .title("A ray enters where it runs against the normal, and leaves along it")
-        .subtitle("both meetings are kept: glass and solid geometry need the stretch between them");
+        .title("A ray enters against the normal and leaves along it")
+        .subtitle("both hits are kept: glass and solids need the stretch between them");
     captioned(
         diagram,
-        "A ray enters a sphere and leaves it: the sign of d·n tells them apart (after D, figure 3).",
+        "A ray enters a sphere and leaves it: the sign of d·n tells them apart (after Tomas, figure 3).",
         "A ray crosses a circle from left to right; at the left point the outward normal opposes the ray and it enters, at the \
          right point it agrees and the ray leaves.",
     )
 }
 
-fn triangle() -> Figure {
+pub fn triangle() -> Figure {
     let (c, r) = (dvec2(5.0, -1.3), 2.2);
     let half = (r * r - c.y * c.y).sqrt();
     let (o, foot, p0, p1) = (DVec2::ZERO, dvec2(5.0, 0.0), dvec2(5.0 - half, 0.0), dvec2(5.0 + half, 0.0));
     let diagram = Diagram::fitted()
         .circle(c, r)
         .ray(Light::Incident, o, dvec2(8.6, 0.0))
-        .name_end("D")
+        .name_end("ray")
         .path(Light::Normal, &[o, c])
-        .name("L")
+        .name("f")
         .path(Light::Other, &[foot, c])
         .name("d")
         .path(Light::Normal, &[c, p1])
@@ -288,15 +282,15 @@ fn triangle() -> Figure {
         .name("P")
         .point(p1)
         .name("P′")
-        .title("Two right triangles share the distance of the line from the centre")
+        .title("Two right triangles share the distance d")
         .subtitle(
-            "d² = L·L − t_{ca}²  and  t_{hc}² = r² − d²: far away, d² is a small difference of huge squares",
+            "d² = f·f − t_{ca}²  and  t_{hc}² = r² − d²: far away, d² is a small difference of huge squares",
         );
     captioned(
         diagram,
-        "The geometric way: L from origin to centre, its projection t_ca on the ray, the distance d and half the chord t_hc (after \
-         B, figure 6.2). The robust way is the same picture, but measures d as the length of a vector.",
-        "A ray from O crosses a circle with centre C at P and P prime; L joins O to C; d is the perpendicular from C to the \
+        "f joins centre and origin; d is the distance of the ray from the centre; the two right triangles give the distances \
+         along the ray (after Anguera, figure 6.2).",
+        "A ray from O crosses a circle with centre C at P and P prime; f joins O to C; d is the perpendicular from C to the \
          ray; t_ca reaches from O to its foot and t_hc from there to P prime.",
     )
 }
@@ -319,14 +313,14 @@ fn projection() -> Figure {
         .subtitle("a·b = |a| |b| cos θ; with |b| = 1 it is the projection itself: t_{ca} = L·D");
     captioned(
         diagram,
-        "Scalar projection: a·b is the length of b times the shadow of a on it (after B, figure 6.3).",
+        "Scalar projection: a·b is the length of b times the shadow of a on it (after Anguera, figure 6.3).",
         "Two arrows a and b from one point with the angle theta between them; a dashed perpendicular from the tip of a to b; \
          the shadow on b is named |a| cos theta.",
     )
 }
 
-/// [C]'s two examples step by step: what is printed there, and what this run finds.
-pub fn worked_examples(lesson: &Lesson) -> Result {
+/// Two examples step by step: what is printed in [C §1.6.1], and what this run finds.
+fn worked_examples() -> Table {
     let printed = [
         [
             "[0.218, 0.436, 0.873]",
@@ -355,28 +349,19 @@ pub fn worked_examples(lesson: &Lesson) -> Result {
     let found: Vec<[String; 8]> = EXAMPLES.iter().zip(origins).map(|(e, o)| steps_of(*e, o)).collect();
     let mut table = Table::new(&[
         "Step",
-        "1, outside: C prints",
+        "1, outside: printed",
         "this run",
-        "2, inside: C prints",
+        "2, inside: printed",
         "this run",
     ])
-    .title("C's two examples come out as printed, but for its roundings")
+    .title("Two printed examples, beside this run")
     .subtitle(
         "f = R_{0} − S_{c}; example 1 f = (−2, −2, −6), S_{r} = 3; example 2 f = (−1, −3, −1), S_{r} = 4",
     );
-    lesson.say("C's two examples, step by step (printed there | this run):");
     for (i, step) in steps.iter().enumerate() {
         table = table.row(&[step, printed[0][i], &found[0][i], printed[1][i], &found[1][i]]);
-        let step = plain(step);
-        println!(
-            "  {step:<18} {:<26} {:<32} {:<26} {}",
-            printed[0][i], found[0][i], printed[1][i], found[1][i]
-        );
     }
-    println!();
-    lesson.save("worked_examples", Figure::from(table).caption(
-        "Two worked intersections (after C, section 1.6.1), outside and inside, each step beside this run's numbers in f64.",
-    ))
+    table
 }
 
 fn steps_of((f, d, r): ([f64; 3], [f64; 3], f64), origin: [f64; 3]) -> [String; 8] {

@@ -1,13 +1,19 @@
 //! Charts, tables and pictures of lesson 02; their numbers come from the lesson.
 
-use super::asides::Cost;
+use super::work::{Costs, Loss};
 use glam::{DVec3, dvec3};
-use lightbench::measure::{Method, Series};
+use lightbench::measure::{Method, Point, Series};
 use lightbench::num::real::Triple;
 use lightbench::shape::sphere::method::{Pair, algebraic, in_front, robust};
-use lightbench_kit::figure::{Axis, Chart, FailureMap, Figure, Guide, Panels, Pixels, Table, short};
+use lightbench_kit::figure::{Axis, Chart, Figure, Guide, Panels, Pixels, Table, short};
 
-type Contest = [(Method, Series)];
+pub type Contest = Vec<(Method, Series)>;
+
+/// The series of a contestant by its name; an empty one if there is no such contestant.
+pub fn of<'a>(contest: &'a Contest, name: &str) -> &'a Series {
+    static NONE: Series = Series { points: Vec::new() };
+    contest.iter().find(|(method, _)| method.name == name).map_or(&NONE, |(_, series)| series)
+}
 
 /// Root-mean-square error of a contestant at a distance of `10^exponent` radii.
 pub fn error_at(series: &Series, exponent: i32) -> f64 {
@@ -15,39 +21,23 @@ pub fn error_at(series: &Series, exponent: i32) -> f64 {
     point.and_then(|p| p.error).map_or(f64::NAN, |e| e.mid)
 }
 
-/// `[low, high]` of the distances.
+/// The part of a series between two distances.
 pub fn between(series: &Series, low: f64, high: f64) -> Series {
     Series::new(series.points.iter().filter(|p| p.parameter >= low && p.parameter <= high).cloned().collect())
 }
 
-/// The headline: error of t against time.
-pub fn speed(contest: &Contest, costs: &[Cost; 5], rays: u32) -> Figure {
-    // Measured seconds stay out of the words, which must repeat from run to run; the axis has them.
-    let gain = error_at(&contest[2].1, 6) / error_at(&contest[0].1, 6);
-    let price = costs[4].operations / costs[0].operations;
-    let mut chart = Chart::speed_accuracy("error of t_{0}, radii (root mean square)")
-        .x(Axis::time("time per ray"))
-        .title(&format!("At 10⁶ radii robust is {} × as accurate as algebraic, for {price:.1} × its operations", short(gain)))
-        .subtitle(&format!(
-            "up each line: distance/radius 10², 10⁴, 10⁶; {rays} rays each within 0.9 r; median time of 101 runs over all"
-        ));
-    for (method, series) in contest {
-        chart = chart.line(method.clone(), series);
-    }
-    Figure::from(chart).caption(
-        "Speed against accuracy: three methods in two precisions, each at three distances. On each line the lowest \
-         point is 10² radii away, the next 10⁴, the highest 10⁶. Time is the median of 101 runs with quartiles; operations are \
-         counted from 100 radii, every second ray missing; an error of 1 radius means that the sphere is lost.",
-    )
+/// The smallest distance at which a ray was answered wrongly [radii].
+pub fn first_failure(series: &Series) -> String {
+    let failed = |p: &&Point| p.failures.total() > 0;
+    series.points.iter().find(failed).map_or("no distance".to_string(), |p| short(p.parameter))
 }
 
+/// Error over distance: where each formula breaks.
 pub fn stability(contest: &Contest, rays: u32) -> Figure {
     let axis = Axis::log("distance / radius").range(1.0, 1.3e8);
-    let mut chart = Chart::error_over(axis, "error of t_{0}, radii (root mean square)")
-        .title("Robust loses one rounding of the distance, the others one of its square")
-        .subtitle(&format!(
-            "{rays} rays a point, aimed within 0.9 r; truth from cross products and two-part sums"
-        ));
+    let mut chart = Chart::error_over(axis, "error of the hit, radii")
+        .title("The robust formula keeps the sphere to 10⁸ radii")
+        .subtitle(&format!("root mean square over {rays} rays a point, each within 0.9 radii of the centre"));
     for (method, series) in contest {
         chart = chart.line(method.clone(), series);
     }
@@ -55,46 +45,52 @@ pub fn stability(contest: &Contest, rays: u32) -> Figure {
         chart = chart.guide(Guide::slope_through(1.0, 1.0, u, name));
     }
     Figure::from(chart).caption(
-        "Error of the nearer root over the distance. The dotted lines are one rounding of the distance, u D with u = 2⁻⁵³ in f64 \
-         and 2⁻²⁴ in f32, for scale: robust runs along them; the other two climb twice as steeply until the sphere is lost. Below: rays answered wrongly, of those asked; the truth is that of the ray as it is stored, which in f32 may itself stray from the sphere.",
+        "Dotted: one rounding of the distance. The robust formula follows it. The other two climb twice as steeply, \
+         and lie on each other. Below the axis: rays answered wrongly, of all that were asked.",
     )
 }
 
-pub fn failure_words(map: FailureMap, name: &str, nearest: f64) -> Figure {
-    let title = format!("{name} in f32 loses its first ray within 0.9 r at {} radii", short(nearest));
-    let map = map.failing("lost").title(&title).subtitle(
-        "sixteen rays a cell, median error; hatched: one of them missed, falsely hit, or off by a radius; above 1: rightly no hit",
-    );
-    Figure::from(map).caption(&format!(
-        "Where {name} fails in f32 (geometric fails as algebraic does): distance from left to right, impact parameter upwards; the edge of the sphere \
-         is at 1. Darkest above it: rays that rightly hit nothing."
-    ))
+/// Error against counted work, at one distance.
+pub fn speed_accuracy(contest: &Contest, costs: &Costs) -> Figure {
+    let mut chart = Chart::work_accuracy("operations per ray", "error of the hit, radii")
+        .x(Axis::linear("operations per ray").range(10.0, 35.0))
+        .title("Half as many operations again buy six digits")
+        .subtitle("from 10⁶ radii away; operations are counted");
+    let work = |name: &str| match name {
+        n if n.starts_with("robust") => costs.robust.operations,
+        n if n.starts_with("closest") => costs.closest.operations,
+        _ => costs.quadratic.operations,
+    };
+    for (method, series) in contest {
+        let shown = series.points.iter().filter(|p| p.parameter == 1.0e6);
+        let points =
+            shown.map(|p| Point { failures: Default::default(), ..p.clone().worked(work(&method.name)) });
+        chart = chart.scatter(method.clone(), &Series::new(points.collect()));
+    }
+    Figure::from(chart)
+        .caption("Three formulas in two precisions. An error of 1 radius means that the sphere is lost.")
 }
 
-/// Two methods in f32 as cameras: the same sphere in the same field of view from farther and farther away.
+/// Two formulas in f32 as cameras: the same sphere in the same field of view from farther and farther away.
 pub fn normals(size: usize) -> Figure {
-    let distances = [100.0, 1000.0, 3000.0, 10000.0];
     type Solve = fn(Triple<f32>, Triple<f32>, f32) -> Pair<f32>;
     let mut panels = Panels::new()
         .columns(4)
-        .title("At 1000 radii the quadratic frays, at 3000 it is lost; robust is not")
-        .subtitle(
-            "normals as colours, f32, field of view matched to the distance; above: algebraic, below: robust",
-        );
-    for (name, solve) in [("algebraic", algebraic as Solve), ("robust", robust as Solve)] {
-        for distance in distances {
-            let label = format!("{name}, {distance} r");
-            panels = panels.picture(telephoto(size, distance, solve), &label);
+        .title("At 1000 radii the quadratic formula frays")
+        .subtitle("surface normals as colours, single precision, field of view matched to the distance");
+    for (name, solve) in [("quadratic", algebraic as Solve), ("robust", robust as Solve)] {
+        for distance in [100.0, 1000.0, 3000.0, 10000.0] {
+            panels = panels.picture(telephoto(size, distance, solve), &format!("{name}, {distance} radii"));
         }
     }
     Figure::from(panels.alt(
         "Eight pictures of a ball coloured by its normals. The lower row, robust, is the same smooth disc at 100, 1000, 3000 and \
-         10000 radii. The upper row, algebraic, is smooth at 100, frayed along the rim at 1000, a haze beyond the rim at 3000, and no disc at all at 10000.",
+         10000 radii. The upper row, quadratic, is smooth at 100, frayed along the rim at 1000, a haze beyond the rim at 3000, and no disc at all at 10000.",
     ))
-    .caption("A sphere coloured by its normals, through longer and longer lenses, in f32: what each method leaves of it.")
+    .caption("One sphere through longer and longer lenses. Upper row: quadratic formula. Lower row: robust formula.")
 }
 
-/// The normals that a solver finds, seen from `distance` radii, red to the right, green up, blue towards the eye.
+/// The normals that a formula finds, seen from `distance` radii, red to the right, green up, blue towards the eye.
 fn telephoto(
     size: usize,
     distance: f64,
@@ -120,54 +116,24 @@ fn telephoto(
     Pixels::new(size, size, rgb)
 }
 
-pub fn savings(costs: &[Cost; 5]) -> Figure {
-    let mut table = Table::new(&["First meeting by", "operations", "square roots", "ns per ray", "quartiles", "time, ratio"])
-        .timed()
-        .title(&format!(
-            "C's exit saves {:.1} of {:.1} operations a ray, B's test {:.1} of {:.1} roots",
-            costs[0].operations - costs[1].operations,
-            costs[0].operations,
-            costs[2].roots - costs[3].roots,
-            costs[2].roots
-        ))
-        .subtitle("f64, 1024 rays from 100 radii, every second one misses; counts repeat, times are medians of 101 runs");
-    for (i, cost) in costs.iter().enumerate() {
-        let ns = |s: f64| format!("{:.2}", s * 1.0e9);
-        let against = [0, 0, 2, 2, 0][i];
-        table = table.row(&[
-            cost.name,
-            &format!("{:.2}", cost.operations),
-            &format!("{:.2}", cost.roots),
-            &ns(cost.time.mid),
-            &format!("{} to {}", ns(cost.time.low), ns(cost.time.high)),
-            &format!("{:.2}", cost.time.mid / costs[against].time.mid),
-        ]);
+/// Counted work.
+pub fn costs(costs: &Costs) -> Table {
+    let mut table = Table::new(&["formula", "operations", "square roots"]).title("What a ray costs");
+    for cost in [&costs.quadratic, &costs.quadratic_with_exit, &costs.closest, &costs.robust] {
+        table = table.row(&[cost.name, &format!("{:.1}", cost.operations), &format!("{:.2}", cost.roots)]);
     }
-    Figure::from(table.marked()).caption(
-        "What two early exits save. Operations are sums, products, quotients and roots. The ratio of times is to both roots at \
-         once, and for the geometric pair to comparing d itself.",
-    )
+    table.subtitle("Sums, products, quotients and square roots per ray; every second ray misses.").marked()
 }
 
-pub fn as_printed(losses: &[(&str, [usize; 4], u32)]) -> Figure {
-    let rays = losses.first().map_or(0, |l| l.2);
-    let mut table = Table::new(&[
-        "As printed",
-        "sphere of 1 m",
-        "of 0.1 mm",
-        "inside, centre behind",
-        "tangent",
-    ])
-    .title("Each printed listing loses a case that the default keeps")
-    .subtitle(&format!(
-        "rays lost of {rays} that hit; from 10 radii, inside from half a radius; f64, unit of length 1 m"
-    ));
-    for (name, lost, _) in losses {
-        let cells = lost.map(|n| n.to_string());
-        table = table.row(&[name, &cells[0], &cells[1], &cells[2], &cells[3]]);
+/// What the printed listings lose.
+pub fn as_printed(losses: &[Loss]) -> Table {
+    let mut table =
+        Table::new(&["listing as printed", "plain", "sphere of 0.1 mm", "origin inside", "tangent"])
+            .title("Each printed listing loses a case that the default keeps");
+    for loss in losses {
+        let cells = loss.lost.map(|n| n.to_string());
+        table = table.row(&[loss.name, &cells[0], &cells[1], &cells[2], &cells[3]]);
     }
-    Figure::from(table.marked()).caption(
-        "The three listings exactly as printed (after A, illustration 57; B, section 6.2.1; C, section 1.6.1) against the default: \
-         a threshold with a unit in it, a test that forgets the inside, a tangent thrown away.",
-    )
+    let rays = losses.first().map_or(0, |l| l.rays);
+    table.subtitle(&format!("Rays lost of {rays} that hit, in double precision.")).marked()
 }

@@ -33,7 +33,7 @@ pub fn soft(n: u32, pattern: Pattern) -> Way {
 }
 
 pub fn room(text: &str) -> Result<Scene> {
-    Ok(read(text, "scene 1").map_err(|e| LessonError::Other(e.render(Color::Never)))?.scene)
+    Ok(read(text, "scene 1").map_err(|e| LessonError(e.render(Color::Never)))?.scene)
 }
 
 /// Scene 1 under n × n light points, and ambient light.
@@ -148,7 +148,7 @@ impl Integrator for NaiveBias {
 }
 
 pub fn other(e: impl Display) -> LessonError {
-    LessonError::Other(e.to_string())
+    LessonError(e.to_string())
 }
 
 pub fn rmse(point: &Point) -> f64 {

@@ -18,7 +18,7 @@ pub fn save(lesson: &Lesson) -> Result {
 }
 
 fn other(e: impl std::fmt::Display) -> LessonError {
-    LessonError::Other(e.to_string())
+    LessonError(e.to_string())
 }
 
 /// A quad, the normals of its corners and its own, and its winding.

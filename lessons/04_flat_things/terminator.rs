@@ -37,7 +37,7 @@ struct Mesh {
 /// Writes the panels; returns the root mean square errors without and with the lift.
 pub fn save(lesson: &Lesson) -> Result<(f64, f64)> {
     let side = lesson.pick([40, 300, 400, 640]);
-    let sphere = Sphere::new(DVec3::ZERO, 1.0).map_err(|e| LessonError::Other(e.to_string()))?;
+    let sphere = Sphere::new(DVec3::ZERO, 1.0).map_err(|e| LessonError(e.to_string()))?;
     let faces = icosphere(COARSE).into_iter().filter_map(|[a, b, c]| Triangle::new(a, b, c).ok()).collect();
     let mesh = Mesh { faces, ball: sphere };
     let pictures =
@@ -68,7 +68,7 @@ pub fn save(lesson: &Lesson) -> Result<(f64, f64)> {
 fn picture(mesh: &Mesh, way: Way, side: usize) -> Result<Image> {
     let view = FieldOfView::Vertical(0.46);
     let camera = Camera::new(dvec3(0.0, 0.0, 5.0), DVec3::ZERO, DVec3::Y, view)
-        .map_err(|e| LessonError::Other(e.to_string()))?;
+        .map_err(|e| LessonError(e.to_string()))?;
     let pixel = |k: usize| {
         let corner = dvec2((k % side) as f64, (k / side) as f64);
         let sample = |i: usize| {

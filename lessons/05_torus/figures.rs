@@ -232,7 +232,7 @@ pub fn as_printed(hole: &Hole, [lost, hits]: [usize; 2]) -> Figure {
 
 /// Two linked rings on a floor, from so many ring radii away through a lens that keeps their size.
 fn scene(method: TorusMethod, distance: f64) -> Result<Scene> {
-    let wrong = |e: &dyn std::fmt::Display| LessonError::Other(e.to_string());
+    let wrong = |e: &dyn std::fmt::Display| LessonError(e.to_string());
     let target = dvec3(0.45, 2.0, 0.0);
     let towards = dvec3(-0.35, 0.42, 1.0).normalize();
     let eye = target + towards * (distance * RING);

@@ -121,7 +121,7 @@ fn chart(sponges: &Sponges) -> Figure {
 }
 
 fn wrong(e: &dyn std::fmt::Display) -> LessonError {
-    LessonError::Other(e.to_string())
+    LessonError(e.to_string())
 }
 
 fn paint(name: &str, diffuse: DVec3) -> Material {

@@ -25,8 +25,7 @@ pub fn rays(seed: u64, count: u32) -> Vec<Ray> {
 }
 
 pub fn set(iterations: u32, method: JuliaMethod) -> Result<Julia> {
-    let julia =
-        Julia::new(VIEWED, iterations, BAILOUT, 0.0).map_err(|e| LessonError::Other(e.to_string()))?;
+    let julia = Julia::new(VIEWED, iterations, BAILOUT, 0.0).map_err(|e| LessonError(e.to_string()))?;
     Ok(julia.with_method(method))
 }
 

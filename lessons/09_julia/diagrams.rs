@@ -14,7 +14,7 @@ const FINE: usize = 160;
 
 fn julia(tolerance: f64) -> Result<Julia> {
     let march = March { tolerance, most: MOST };
-    let julia = Julia::new(VIEWED, PLAIN - 3, 4.0, 0.0).map_err(|e| LessonError::Other(e.to_string()))?;
+    let julia = Julia::new(VIEWED, PLAIN - 3, 4.0, 0.0).map_err(|e| LessonError(e.to_string()))?;
     Ok(julia.with_method(JuliaMethod::AsPrinted(march)))
 }
 

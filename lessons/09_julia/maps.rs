@@ -43,7 +43,7 @@ pub fn overshoot(lesson: &Lesson) -> Result<Overshoot> {
     let far = || Axis::log("distance of the place from the middle, m").range(1.7, 1e4);
     let scale = || Axis::linear("c as a share of −0.2 + 0.6 i + 0.2 j + 0.2 k").range(0.0, 1.1);
     let made = |share: f64| Julia::new(VIEWED * share, 4 * PLAIN, BAILOUT, 0.0);
-    made(1.0).map_err(|e| LessonError::Other(e.to_string()))?;
+    made(1.0).map_err(|e| LessonError(e.to_string()))?;
     let map = |step: &dyn Fn(DVec4, DVec4) -> f64| {
         let mut last: Option<(f64, Julia)> = None;
         FailureMap::new(far(), scale(), "longest step / way to the first hit", size, |distance, share| {

@@ -29,7 +29,7 @@ const TEAL: DVec3 = DVec3::new(0.04, 0.45, 0.46);
 const RED: DVec3 = DVec3::new(0.78, 0.16, 0.10);
 
 fn wrong(e: &dyn std::fmt::Display) -> LessonError {
-    LessonError::Other(e.to_string())
+    LessonError(e.to_string())
 }
 
 /// The set over a floor, under a lamp of 3 m × 3 m.

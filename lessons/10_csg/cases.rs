@@ -5,16 +5,15 @@ use super::printed::AsPrinted;
 use super::solids::{COLOURS, EYE, ball, block, camera, cube, document, portrait, rays, solid};
 use glam::{DVec3, dvec3};
 use lightbench::csg::Tree;
-use lightbench_kit::figure::{Figure, Panels, Table, grouped};
+use lightbench_kit::figure::{Figure, Panels};
 
 type Make = fn() -> Tree;
-/// Name, why the rule fails, and the solid.
-type Row = (&'static str, &'static str, Make);
+/// Name and solid.
+type Row = (&'static str, Make);
 
 /// A case, and the pixels that the printed rules and the root diagram get wrong, of those where truth or rules see the solid.
 pub struct Case {
     pub name: &'static str,
-    pub why: &'static str,
     pub tree: Make,
     pub printed: usize,
     pub diagram: usize,
@@ -45,16 +44,16 @@ fn bite() -> Tree {
 
 pub fn cases(size: usize) -> Vec<Case> {
     let list: [Row; 5] = [
-        ("disjoint solids, ∩", "IN OUT IN OUT: no pair to delete", disjoint),
-        ("an inner solid taken away", "OUT IN deleted: the hole is filled", hollow),
-        ("three that overlap (fig. 17)", "marks of several spans mixed", document),
-        ("faces that coincide", "OUT before IN or behind it: a toss", pocket),
-        ("the camera inside", "odd count: no hit", bite),
+        ("disjoint solids, ∩", disjoint),
+        ("an inner solid taken away", hollow),
+        ("three that overlap (fig. 17)", document),
+        ("faces that coincide", pocket),
+        ("the camera inside", bite),
     ];
     let rays = rays(&camera(EYE), size);
-    let judge = |(name, why, tree): Row| {
+    let judge = |(name, tree): Row| {
         let (described, made) = (tree(), solid(tree()));
-        let mut case = Case { name, why, tree, printed: 0, diagram: 0, seen: 0 };
+        let mut case = Case { name, tree, printed: 0, diagram: 0, seen: 0 };
         for ray in &rays {
             let right = truth(&described, ray);
             let [printed, diagram] = [Way::AsPrinted, Way::Diagram].map(|w| w.first(&described, &made, ray));
@@ -74,8 +73,8 @@ pub fn pictures(cases: &[Case], size: usize, samples: u32) -> Figure {
     let broken = cases.iter().filter(|c| c.printed > 0).count();
     let mut panels = Panels::new()
         .columns(cases.len())
-        .title(&format!("Rules for pairs of neighbours break {broken} of {} solids", cases.len()))
-        .subtitle("above by D's pair rules as printed, below by root diagrams; colours tell on which leaf's surface a ray ends")
+        .title(&format!("Rules for neighbours break {broken} of {} solids", cases.len()))
+        .subtitle("above by the printed rules, below by root diagrams; each colour is a leaf")
         .alt(
             "Two rows of five solids. Above, by the printed rules: balls that should not be there, a hollow ball that is \
              filled, a box with rods taken away that keeps parts of them, a pocket that is closed, a bitten cube \
@@ -90,23 +89,7 @@ pub fn pictures(cases: &[Case], size: usize, samples: u32) -> Figure {
         panels = panels.picture(picture, case.name);
     }
     Figure::from(panels).caption(
-        "D §5.9.1.6 sorts the ends of both operands, drops negative ones, gives up on an odd count and deletes neighbours by their \
+        "After Tomas §5.9.1.6: the printed rule sorts the ends of both operands, drops negative ones, gives up on an odd count and deletes neighbours by their \
          marks alone. Shares are of pixels where the solid is, or is said to be. The last camera stands inside the ball that bites.",
     )
-}
-
-pub fn table(cases: &[Case], size: usize) -> Figure {
-    let mut table =
-        Table::new(&["solid", "why the rule fails", "seen", "as printed: wrong", "root diagram: wrong"])
-            .title("Wrong pixels of D's pair rules, and of root diagrams")
-            .subtitle(&format!(
-                "{size} × {size} rays each; the truth applies the table to all leaves at every end"
-            ));
-    for case in cases {
-        let count = |n: usize| grouped(n as u64);
-        table =
-            table.row(&[case.name, case.why, &count(case.seen), &count(case.printed), &count(case.diagram)]);
-    }
-    Figure::from(table)
-        .caption("Pixels whose first hit is missing, false or elsewhere. Seen: pixels where truth or rules have a hit.")
 }

@@ -4,7 +4,7 @@ use super::contestants::{Way, agree, truth};
 use super::solids::{EYE, ball, camera, cube, rays, rod, solid, sponge};
 use glam::{DAffine3, DVec3, dvec3};
 use lightbench::csg::Tree;
-use lightbench::measure::{Method, Point, Series, Spread, Tally, time_each};
+use lightbench::measure::{Method, Point, Ratio, Series, Spread, Tally, time_each};
 use lightbench::ray::Ray;
 use lightbench_kit::figure::{Axis, Chart, Figure};
 
@@ -35,7 +35,7 @@ fn method(way: Way) -> Method {
         Way::Diagram => Method::default_of("root diagram, front to back").styled(0),
         Way::Lists => Method::new("whole lists at every node").styled(1),
         Way::Tested => Method::new("every end tested").styled(2),
-        Way::AsPrinted => Method::as_printed("as printed [D]"),
+        Way::AsPrinted => Method::as_printed("as printed"),
     }
 }
 
@@ -44,15 +44,7 @@ pub fn contest(size: usize, timed: usize) -> Contest {
     let sets: Vec<_> = trees().into_iter().zip(trees()).map(|(tree, made)| (tree, solid(made))).collect();
     let truths: Vec<Vec<Option<f64>>> =
         sets.iter().map(|(tree, _)| rays.iter().map(|r| truth(tree, r)).collect()).collect();
-    // Rays through the middle of the picture, for the clock: all of them meet the solid's bounds.
-    let middle: Vec<Ray> = self::rays(&camera(EYE), timed * 2)
-        .into_iter()
-        .enumerate()
-        .filter(|(n, _)| {
-            (n % (2 * timed)).abs_diff(timed) < timed / 2 && (n / (2 * timed)).abs_diff(timed) < timed / 2
-        })
-        .map(|(_, ray)| ray)
-        .collect();
+    let middle = middle(timed);
     Way::ALL.map(|way| {
         let point = |((tree, made), truths): (&(Tree, _), &Vec<Option<f64>>)| {
             let (mut tally, mut wrong) = (Tally::new(), 0usize);
@@ -73,43 +65,49 @@ pub fn contest(size: usize, timed: usize) -> Contest {
     })
 }
 
-pub fn wrong(contest: &Contest, way: usize) -> u64 {
-    contest[way].1.points.iter().map(|p| p.failures.total()).sum()
+/// Rays that a way answers wrongly, over all trees.
+pub fn wrong(contest: &Contest, way: &str) -> u64 {
+    contest.iter().filter(|(method, _)| method.name == way).map(|(_, series)| series.failures().total()).sum()
 }
 
-/// How many times as long whole lists take for the largest tree.
-pub fn quotient(contest: &Contest) -> f64 {
-    let time = |way: usize| contest[way].1.points.last().and_then(|p| p.time).map_or(f64::NAN, |t| t.mid);
-    time(1) / time(0)
+/// Rays that each way answers, over all trees.
+pub fn asked(contest: &Contest) -> u64 {
+    contest[0].1.failures().of
 }
 
-fn ordinal(n: f64) -> String {
-    match n.round() as u64 {
-        2 => "half".to_string(),
-        3 => "third".to_string(),
-        n => format!("{n}th"),
-    }
+/// Leaves of the largest tree.
+pub fn largest(contest: &Contest) -> f64 {
+    contest[0].1.points.last().map_or(0.0, |p| p.parameter)
 }
 
+/// Rays through the middle of the picture, all of which hit the solid's bounds.
+fn middle(size: usize) -> Vec<Ray> {
+    let near = |i: usize| i.abs_diff(size) < size / 2;
+    let all = rays(&camera(EYE), size * 2).into_iter().enumerate();
+    all.filter(|(n, _)| near(n % (2 * size)) && near(n / (2 * size))).map(|(_, ray)| ray).collect()
+}
+
+/// How many times as long merging whole lists takes as walking front to back, for the largest tree.
+pub fn slower() -> Ratio {
+    let [.., tree] = trees();
+    let [.., made] = trees();
+    let (made, rays) = (solid(made), middle(6));
+    let hits = |way: Way| rays.iter().filter_map(|r| way.first(&tree, &made, r)).count();
+    Ratio::measured(|| hits(Way::Lists), || hits(Way::Diagram))
+}
+
+/// Error against time, over the size of the tree.
 pub fn speed(contest: &Contest, size: usize) -> Figure {
     let sizes: Vec<String> = contest[0].1.points.iter().map(|p| format!("{}", p.parameter)).collect();
-    let mut chart = Chart::speed_accuracy("wrong pixels, share of the picture")
+    let mut chart = Chart::speed_accuracy("wrong pixels, fraction of the picture")
         .x(Axis::time("time per ray through the solid, first hit"))
-        .title(&format!(
-            "Front to back, {} leaves take a {} of the time of whole lists, and no pixel is wrong",
-            sizes.last().map_or("", String::as_str),
-            ordinal(quotient(contest))
-        ))
-        .subtitle(&format!(
-            "trees of {} leaves, from left to right on each line; {size} × {size} rays each, the truth by all leaves at once",
-            sizes.join(", ")
-        ));
+        .title("Root diagrams leave no pixel wrong")
+        .subtitle(&format!("trees of {} leaves; {size} × {size} rays each", sizes.join(", ")));
     for (method, series) in contest {
         chart = chart.line(method.clone(), series);
     }
     Figure::from(chart).caption(
-        "Speed against accuracy over the size of the tree: box less pocket, D's tree, and boxes with 27 and 125 round holes and a \
-         pocket flush with the rim. Time: first hit, median of nine runs with quartiles. The lower strip counts missing and \
-         false hits; a hit elsewhere counts as missing.",
+        "Each line joins four trees, the largest on the right. Time: median of nine runs with quartiles. The lower strip \
+         counts missing and false hits; a hit elsewhere counts as missing.",
     )
 }

@@ -17,10 +17,10 @@ const NAMES: [&str; 5] = ["box", "sphere", "rod x", "rod y", "rod z"];
 const HUES: [Hue; 5] = [Hue::Vermillion, Hue::Blue, Hue::Green, Hue::Orange, Hue::Purple];
 
 /// [A ill. 61], from the function that the walk uses.
-pub fn table() -> Figure {
+pub fn table() -> Table {
     let mut table = Table::new(&["operation", "operand 1", "operand 2", "composition", "who decides"])
-        .title("Inside or outside: three operations in twelve lines")
-        .subtitle("after A, ill. 61; the last column is what lets a ray skip subtrees");
+        .title("Inside or outside: who decides")
+        .subtitle("After Sancho, illustration 61. Where one operand decides alone, a ray can skip the other.");
     let sides = [Side::In, Side::Out];
     for operation in Operation::ALL {
         for (left, right) in sides.into_iter().flat_map(|l| sides.map(|r| (l, r))) {
@@ -38,10 +38,7 @@ pub fn table() -> Figure {
             table = table.row(&[name, left.word(), right.word(), both.word(), who]);
         }
     }
-    Figure::from(table).caption(
-        "The rules of A's illustration 61. An operand that decides alone makes the other one's boundaries irrelevant until it \
-         changes sides itself.",
-    )
+    table
 }
 
 /// A node of the drawn tree: its solid, its sign or name, its colours, its place, and the places of its operands.
@@ -77,7 +74,7 @@ pub fn tree(size: usize, samples: u32) -> Figure {
         Rect { min: corner, max: corner + side }
     };
     let mut drawing = Drawing::new(1200.0, top + step * 4.0 + 16.0);
-    let title = "Four operations and five solids make one: (box ∩ sphere) − (rod ∪ rod ∪ rod)";
+    let title = "Four operations and five solids make one";
     drawing.text(Text::new(dvec2(40.0, 52.0), title, 28.0, Ink::Text).face(Face::Bold));
     let words = "A tree and its solid; each leaf keeps its colour, also where it was taken away.";
     drawing.text(Text::new(dvec2(40.0, 82.0), words, 20.0, Ink::Muted));
@@ -109,7 +106,7 @@ pub fn tree(size: usize, samples: u32) -> Figure {
                crossed rods, joined by a minus sign; below those a box and a sphere joined by an intersection sign, and \
                the rods one by one joined by union signs.";
     Figure::new(drawing, title, alt)
-        .caption("After A, ill. 17 and D, fig. 17: the tree of D's scene 3 and the solid of every node.")
+        .caption("After Sancho, illustration 17, and Tomas, figure 17: the solid of every node.")
 }
 
 /// [D fig. 16].
@@ -119,7 +116,7 @@ pub fn operations(size: usize, samples: u32) -> Figure {
     let mut panels = Panels::new()
         .columns(3)
         .title("Union, intersection and difference of a box and a sphere")
-        .subtitle("after D, fig. 16; the surface is red where it is the box's, blue where it is the sphere's")
+        .subtitle("red where the surface is the box's, blue where it is the sphere's")
         .alt("Three solids on a pale floor: a box with a ball at its corner, their common part, and the box with a round bite.");
     for operation in Operation::ALL {
         let tree = Tree::node(operation, small(), corner());
@@ -127,7 +124,7 @@ pub fn operations(size: usize, samples: u32) -> Figure {
         panels = panels.picture(portrait(Box::new(solid(tree)), &COLOURS[..2], size, samples), &label);
     }
     Figure::from(panels)
-        .caption("After D, figure 16. Each point of the surface keeps the material of the leaf it lies on.")
+        .caption("After Tomas, figure 16. Each point of the surface keeps the material of the leaf it lies on.")
 }
 
 fn spans(solid: &dyn Solid, ray: &Ray) -> Vec<Span> {
@@ -174,7 +171,7 @@ pub fn roots(size: usize, samples: u32) -> Figure {
         figure = figure.result("the whole", bars(&solid(document()), &ray, &[0, 1, 2, 3, 4]));
     }
     Figure::from(figure).caption(
-        "After A, ill. 62. Lines without bars are left out: that ray misses that solid. Where the whole begins or ends on a rod, the \
+        "After Sancho, illustration 62. Lines without bars are left out: that ray misses that solid. Where the whole begins or ends on a rod, the \
          rod's normal is turned, for its inside is the whole's outside.",
     )
 }
@@ -192,8 +189,8 @@ pub fn lists() -> Figure {
     let ray = Ray::new(DVec3::ZERO, DVec3::X);
     let mut figure = Roots::new()
         .columns(2)
-        .title("D's pair rules: right for two spans that overlap, wrong beyond")
-        .subtitle("after D, fig. 27–29; left the document's cases, right cases that it does not draw; > enters, < leaves")
+        .title("The printed rules hold only for two spans that overlap")
+        .subtitle("left: the printed cases; right: cases that are not printed; > enters, < leaves")
         .alt(
             "Six root diagrams in two columns, for union, difference and intersection. In the left column the printed rules \
              agree with the root diagram; in the right column they do not.",
@@ -223,7 +220,7 @@ pub fn lists() -> Figure {
         }
     }
     Figure::from(figure).caption(
-        "After D, figures 27 to 29. Hatched: what the printed rule leaves is not the solid. A union of two spans with a third \
+        "After Tomas, figures 27 to 29. Hatched: what the printed rule leaves is not the solid. A union of two spans with a third \
          keeps its gap, a difference with an inner solid loses its hole, an intersection of disjoint solids keeps both.",
     )
 }

@@ -5,14 +5,19 @@ use lightbench::csg::{Csg, Operation, Tree};
 use lightbench::integrator::Local;
 use lightbench::light::{AreaLight, Emission, Light};
 use lightbench::ray::Ray;
-use lightbench::render::{Picture, render};
+use lightbench::render::render;
 use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Material, Object, Scene};
 use lightbench::shape::Shape;
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::cylinder::Cylinder;
 use lightbench::shape::sphere::Sphere;
-use lightbench_kit::figure::Pixels;
+use lightbench_kit::figure::{Figure, Panels, Pixels};
+use lightbench_kit::lesson::{LessonError, Picture, Result};
+use lightbench_kit::scene_file::{Color, read_file};
+use lightbench_kit::stage::{RenderSize, Stage, colour, glossy};
+use std::path::Path;
+use std::sync::Arc;
 
 /// Colours of box, sphere and the three cylinders, dark enough for white light.
 pub const COLOURS: [DVec3; 5] = [
@@ -98,6 +103,38 @@ pub fn portrait(shape: Box<dyn Shape>, materials: &[DVec3], size: usize, samples
     scene.lights = vec![Light::Area(lamp.subdivided(3, 3, Pattern::Jittered))];
     scene.ambient = DVec3::splat(0.27);
     scene.background = DVec3::splat(0.93);
-    let picture = Picture { width: size, height: size, samples, seed: 0 };
+    let picture = lightbench::render::Picture { width: size, height: size, samples, seed: 0 };
     Pixels::from(&render(&scene, &Local::default(), picture).image)
+}
+
+/// The documents' solid in the studio.
+pub fn hero(size: &RenderSize) -> Picture {
+    use colour::{CLAY, NIGHT, OCHRE, SAGE, TEAL};
+    let leaves = [CLAY, TEAL, OCHRE, SAGE, NIGHT].map(|c| glossy(c, 0.35)).to_vec();
+    let stage = Stage::new(DVec3::ZERO, 1.9).ground(-1.5).with_parts(Arc::new(solid(document())), leaves);
+    Picture {
+        image: stage.seen_from(32.0).render(size),
+        title: "A box, a sphere and three rods make one solid".to_string(),
+        caption: "(box ∩ sphere) − (rod ∪ rod ∪ rod). Each point of the surface keeps the colour of the leaf it lies on."
+            .to_string(),
+        alt: "A rounded cube with a round tunnel through each pair of faces, on a pale ground; the flat faces are red, the \
+              rounded edges blue, the tunnels ochre, green and dark blue."
+            .to_string(),
+    }
+}
+
+/// [D figures 47, 48].
+pub fn scene_3(size: usize) -> Result<Figure> {
+    let mut panels = Panels::new()
+        .columns(2)
+        .title("The solid of five leaves in an open room")
+        .subtitle("After Tomas, figures 47 and 48. The sizes of the solids are not printed; these are ours.")
+        .alt("Two pictures of a white rounded box with tunnels that floats in a red and green room, with a soft and a hard shadow.");
+    for (name, label) in [("d03_csg", "light of 10 × 10 points"), ("d03_point_light", "point light")] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../scenes/{name}.scene"));
+        let file = read_file(&path).map_err(|e| LessonError(e.render(Color::Never)))?;
+        let picture = lightbench::render::Picture { width: size, height: size, samples: 1, seed: 0 };
+        panels = panels.picture(Pixels::from(&render(&file.scene, &Local::default(), picture).image), label);
+    }
+    Ok(Figure::from(panels))
 }

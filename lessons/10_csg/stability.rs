@@ -11,7 +11,7 @@ use lightbench::sample::uniform;
 use lightbench::shape::Solid;
 use lightbench::shape::cuboid::Cuboid;
 use lightbench::shape::instance::Instance;
-use lightbench_kit::figure::{Axis, Chart, Figure, Panels};
+use lightbench_kit::figure::{Axis, Chart, Figure, Panels, short};
 use std::f64::consts::TAU;
 
 /// Half the plate's edge and half its thickness [m].
@@ -26,7 +26,7 @@ const FIXED: f64 = 1.0e-9;
 pub enum Care {
     /// The library's: as the surfaces' errors allow.
     Derived,
-    /// Ends are one if they are equal to the bit.
+    /// Ends are one if they are equal bit for bit.
     Exact,
     /// Spans shorter than 10⁻⁹ m are dropped.
     FixedLength,
@@ -40,9 +40,9 @@ impl Care {
     fn method(self) -> Method {
         match self {
             Care::Derived => Method::default_of("ties by rounding bounds").styled(0),
-            Care::Exact => Method::new("equal to the bit").styled(1),
+            Care::Exact => Method::new("equal bit for bit").styled(1),
             Care::FixedLength => Method::new("spans under 10⁻⁹ m dropped").styled(2),
-            Care::LongerTool => Method::new("tool 0.1 % longer, equal to the bit").styled(3),
+            Care::LongerTool => Method::new("tool 0.1 % longer").styled(3),
         }
     }
 }
@@ -105,29 +105,33 @@ pub fn over_distance(seed: u64, rays: u32) -> [(Method, Series); 4] {
     })
 }
 
+/// The series of a way by its name; an empty one if there is no such way.
+pub fn of<'a>(contest: &'a [(Method, Series); 4], name: &str) -> &'a Series {
+    static NONE: Series = Series { points: Vec::new() };
+    contest.iter().find(|(method, _)| method.name == name).map_or(&NONE, |(_, series)| series)
+}
+
+/// The distance at which the first ray sees a lid [m].
+pub fn first_lid(series: &Series) -> String {
+    let failed = series.points.iter().find(|p| p.failures.total() > 0);
+    failed.map_or("no distance".to_string(), |p| short(p.parameter))
+}
+
 pub fn chart(contest: &[(Method, Series)], rays: u32) -> Figure {
-    let share = |k: usize| 100.0 * contest[k].1.failures().share();
     let axis = Axis::log("distance of the plate from the origin of space, m").range(0.7, 1.5e8);
-    let mut chart = Chart::failures_over(axis, "rays into the pocket that see a false cap")
-        .title(&format!(
-            "Ties decided to the bit put a false cap on {:.0} % of a flush pocket, derived ones on {:.0} %",
-            share(1),
-            share(0)
-        ))
-        .subtitle(&format!(
-            "a plate of 3 m, a pocket flush with its top, each under its own chain of maps; {rays} random turns at each distance"
-        ));
+    let mut chart = Chart::failures_over(axis, "rays into the pocket that see a lid")
+        .title("Only exact ties close the pocket at every distance")
+        .subtitle(&format!("a plate of 3 m with a pocket flush with its top; {rays} random turns a point"));
     for (method, series) in contest {
         chart = chart.line(method.clone(), series);
     }
     Figure::from(chart).caption(
-        "Where two faces are the same plane, rounding decides which comes first, and half of the rays see a sheet without thickness. \
-         A fixed least length of spans works as long as rounding is smaller than it; a longer tool works, and makes another \
-         solid; the bound derived from the surfaces' own errors works at every distance.",
+        "A fixed least length of a span works while rounding is smaller than it. A longer tool works, and makes another solid. \
+         Rounding bounds work at every distance.",
     )
 }
 
-/// The same plate twice: ends that are one only if equal to the bit, and as the surfaces' errors allow.
+/// The same plate twice: ends that are one only if equal bit for bit, and as the surfaces' errors allow.
 pub fn pictures(seed: u64, size: usize, samples: u32) -> Figure {
     let colours = [COLOURS[1], COLOURS[3]];
     let exact = portrait(Box::new(ByLists(tree(home(seed, 3, 0.04, 0.0), 0.0))), &colours, size, samples);
@@ -135,13 +139,12 @@ pub fn pictures(seed: u64, size: usize, samples: u32) -> Figure {
     Figure::from(
         Panels::new()
             .columns(2)
-            .title("A pocket flush with its plate, and the cap that rounding puts on it")
-            .subtitle("the same two maps and the same rays; only the question differs when two ends are one")
-            .picture(exact, "ends are one if equal to the bit")
-            .picture(derived, "ends are one as the surfaces' errors allow")
+            .title("Rounding puts a lid on an open pocket")
+            .subtitle("the same solid and the same rays; the rule for coincident faces differs")
+            .picture(exact, "equal bit for bit")
+            .picture(derived, "by rounding bounds (default)")
             .alt("Two pictures of a blue plate with a square pocket: in the left one the pocket is closed by a speckled sheet, in \
                   the right one it is open."),
     )
-    .caption("Coincident faces, reached by two chains of maps. Where the tool's face comes out a rounding lower than the plate's, the ray \
-              meets a sheet without thickness.")
+    .caption("Where the tool's face comes out a rounding lower than the plate's, the ray hits a sheet without thickness.")
 }

@@ -15,7 +15,7 @@ use lightbench_kit::figure::{Figure, Panels, Pixels, grouped};
 use lightbench_kit::lesson::{Lesson, LessonError, Result};
 
 fn wrong(e: impl std::fmt::Display) -> LessonError {
-    LessonError::Other(e.to_string())
+    LessonError(e.to_string())
 }
 
 const PAPER: DVec3 = dvec3(0.80, 0.85, 0.91);

@@ -70,12 +70,12 @@ impl Made {
 }
 
 pub fn other(e: impl Display) -> LessonError {
-    LessonError::Other(e.to_string())
+    LessonError(e.to_string())
 }
 
 /// A's scene as its file has it.
 pub fn two_spheres() -> Result<Scene> {
-    Ok(read(TWO_SPHERES, "two spheres").map_err(|e| LessonError::Other(e.render(Color::Never)))?.scene)
+    Ok(read(TWO_SPHERES, "two spheres").map_err(|e| LessonError(e.render(Color::Never)))?.scene)
 }
 
 /// The scene under those simplifications; a lamp with size is `side²` points.

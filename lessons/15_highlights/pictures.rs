@@ -24,7 +24,7 @@ pub const N: f64 = 30.0;
 pub const SPECULAR: f64 = 0.6;
 
 fn other(e: impl Display) -> LessonError {
-    LessonError::Other(e.to_string())
+    LessonError(e.to_string())
 }
 
 fn scene(text: &str) -> Result<Scene> {

@@ -15,7 +15,7 @@ pub fn save(lesson: &Lesson) -> Result {
     lesson.save("vectors", vectors())?;
     lesson.save("facets", facets())?;
     lesson.save("scattering", scattering(lesson.seed()))?;
-    let wrong = |e: ParameterError| LessonError::Other(e.to_string());
+    let wrong = |e: ParameterError| LessonError(e.to_string());
     lesson.save("lobes_matt", matt_lobes().map_err(wrong)?)?;
     lesson.save("lobes_glossy", glossy_lobes().map_err(wrong)?)?;
     lesson.save("lobe_printed", printed_lobe().map_err(wrong)?)

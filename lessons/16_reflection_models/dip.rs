@@ -41,7 +41,7 @@ fn added(model: &OrenNayar, degrees: f64) -> f64 {
 }
 
 pub fn save(lesson: &Lesson) -> Result {
-    let wrong = |e: ParameterError| LessonError::Other(e.to_string());
+    let wrong = |e: ParameterError| LessonError(e.to_string());
     lesson.save("dip", map(lesson.pick([12, 60, 90, 120])))?;
     lesson.save("dip_clamped", clamped(lesson.pick([18, 60, 120, 240])).map_err(wrong)?)
 }

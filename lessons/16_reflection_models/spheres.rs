@@ -142,7 +142,7 @@ fn coloured(tint: Rgb, model: impl Into<Model>) -> Result<Lobes, ParameterError>
 }
 
 pub fn save(lesson: &Lesson) -> Result<(), LessonError> {
-    let wrong = |e: ParameterError| LessonError::Other(e.to_string());
+    let wrong = |e: ParameterError| LessonError(e.to_string());
     let (size, samples) = lesson.pick([(24, 4), (150, 64), (280, 196), (420, 484)]);
     let shot = Shot { size, samples, seed: lesson.seed(), exposure: 1.5 };
     let bright = |m: &Lobes| lit(m, shot);

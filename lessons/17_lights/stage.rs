@@ -29,7 +29,7 @@ const CLAY: Rgb = Rgb::new(0.78, 0.3, 0.16);
 const SKY: Rgb = Rgb::new(0.55, 0.66, 0.8);
 
 pub fn other(e: impl Display) -> LessonError {
-    LessonError::Other(e.to_string())
+    LessonError(e.to_string())
 }
 
 /// A camera, a floor of material 0, and a material 1 for what stands on it.

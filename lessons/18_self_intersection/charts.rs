@@ -18,7 +18,7 @@ pub struct Cost {
 
 /// Time of one start [s] on hits of all bodies, 1 m large and 1000 m away.
 pub fn costs(seed: u64, ways: &[Way], totals: &[Score]) -> Result<Vec<Cost>> {
-    let bodies = bodies(1.0, 1.0e3).map_err(|e| LessonError::Other(e.to_string()))?;
+    let bodies = bodies(1.0, 1.0e3).map_err(|e| LessonError(e.to_string()))?;
     let starts: Vec<_> = bodies
         .iter()
         .flat_map(|b| (0..12).filter_map(|i| b.start(&mut Sampler::new(seed, 0, i))))

@@ -182,7 +182,7 @@ struct Cell {
 
 impl Cell {
     fn new(seed: u64, size: f64, distance: f64) -> Result<Self> {
-        let bodies = bodies(size, distance).map_err(|e| LessonError::Other(e.to_string()))?;
+        let bodies = bodies(size, distance).map_err(|e| LessonError(e.to_string()))?;
         Ok(Cell { bodies, lamps: lamps(seed, LAMPS, |truth| certain(distance, truth)), size, seed })
     }
 

@@ -106,7 +106,7 @@ fn below() -> Figure {
 
 /// Where rays from computed points of the unit sphere meet it again, as computed: the first such t below 0, at 0 and above.
 fn beginnings() -> Result<[f64; 3]> {
-    let sphere = Sphere::new(DVec3::ZERO, 1.0).map_err(|e| LessonError::Other(e.to_string()))?;
+    let sphere = Sphere::new(DVec3::ZERO, 1.0).map_err(|e| LessonError(e.to_string()))?;
     let mut found = [None; 3];
     for i in 0..1000 {
         let mut sampler = Sampler::new(0, 0, i);

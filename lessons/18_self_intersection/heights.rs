@@ -53,7 +53,7 @@ pub fn measured(seed: u64, starts: u32) -> Result<Vec<Heights>> {
 }
 
 fn at(seed: u64, starts: u32, distance: f64) -> Result<Heights> {
-    let sphere = &bodies(1.0, distance).map_err(|e| LessonError::Other(e.to_string()))?[0];
+    let sphere = &bodies(1.0, distance).map_err(|e| LessonError(e.to_string()))?[0];
     let center = AWAY * distance;
     let (mut depth, mut ways) = (0.0f64, [const { Vec::new() }; 4]);
     for start in (0..starts).filter_map(|i| sphere.start(&mut Sampler::new(seed, 9, i))) {

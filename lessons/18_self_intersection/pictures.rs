@@ -24,7 +24,7 @@ use lightbench_kit::lesson::{LessonError, Result};
 use std::fmt::Display;
 
 fn other(e: impl Display) -> LessonError {
-    LessonError::Other(e.to_string())
+    LessonError(e.to_string())
 }
 
 /// A scene with its lamp.

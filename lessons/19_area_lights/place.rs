@@ -12,7 +12,7 @@ use lightbench_kit::lesson::{LessonError, Result};
 pub const MEASURES: [(Measure, &str); 2] = [(Measure::Area, "area"), (Measure::SolidAngle, "solid angle")];
 
 pub fn other(e: impl std::fmt::Display) -> LessonError {
-    LessonError::Other(e.to_string())
+    LessonError(e.to_string())
 }
 
 /// The seed of one run of one experiment.

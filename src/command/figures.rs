@@ -1,53 +1,65 @@
 //! `lightbench list` and `lightbench figures`: the lessons, and everything they draw.
 
-use super::Failure;
+use super::{Failure, target};
 use lightbench_kit::flags::Flags;
 use lightbench_kit::lesson::{Entry, SYLLABUS};
 use lightbench_kit::page;
 use lightbench_kit::progress::{Progress, Verbosity, stop_flag};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output, Stdio};
 use std::sync::atomic::Ordering;
+use std::thread;
+use std::time::Duration;
 
-/// The lessons, a line each.
-pub(super) fn list() -> String {
+/// The lessons, or those that `--only` names by number or word, a line each.
+pub(super) fn list(only: Option<&str>) -> Result<String, Failure> {
     let mut out = String::new();
     let mut chapter = "";
-    for entry in SYLLABUS {
+    for entry in chosen(only)? {
         if entry.chapter != chapter {
             chapter = entry.chapter;
             out += &format!("{chapter}\n");
         }
         out += &format!("  {}  {:<16} {}\n", entry.program(), entry.name, entry.question);
     }
-    out
+    Ok(out)
+}
+
+/// The lessons that `--only` lets through, at least one.
+fn chosen(only: Option<&str>) -> Result<Vec<&'static Entry>, Failure> {
+    let chosen: Vec<&Entry> = SYLLABUS.iter().filter(|e| is_chosen(e, only)).collect();
+    match only {
+        Some(only) if chosen.is_empty() => {
+            let numbers = format!(
+                "a number from 1 to {}, or part of a name that `lightbench list` shows",
+                SYLLABUS.len()
+            );
+            Err(Failure::input(format!("--only {only}: expected {numbers}")))
+        }
+        _ => Ok(chosen),
+    }
 }
 
 /// Runs every lesson, or those that `--only` names by number or word, and makes the page.
 pub(super) fn figures(flags: &Flags) -> Result<String, Failure> {
     if flags.list {
-        return Ok(list());
+        return list(flags.only.as_deref());
     }
-    let chosen: Vec<&Entry> = SYLLABUS.iter().filter(|e| is_chosen(e, flags.only.as_deref())).collect();
-    if chosen.is_empty() {
-        let only = flags.only.as_deref().unwrap_or_default();
-        return Err(Failure::input(format!(
-            "--only {only}: no lesson has that in its number or name\n{}",
-            list()
-        )));
-    }
+    let chosen = chosen(flags.only.as_deref())?;
     let folder = flags.out.clone().unwrap_or_else(|| PathBuf::from("figures"));
+    target::writable(&folder.join("index.html"))?;
     let programs = programs()?;
     let verbosity = if flags.quiet { Verbosity::Quiet } else { Verbosity::Normal };
     let progress = Progress::start("figures", verbosity);
     let mut out = String::new();
     let mut failed = Vec::new();
     for (i, entry) in chosen.iter().enumerate() {
+        let run = ended(lesson_command(&programs, entry, &folder, flags));
+        let run = run.map_err(|e| Failure::work(format!("{}: cannot be run: {e}", entry.program())))?;
         if stop_flag().load(Ordering::Relaxed) {
             return Err(Failure::interrupted(&entry.program()));
         }
-        let run = lesson_command(&programs, entry, &folder, flags).output();
-        let run = run.map_err(|e| Failure::work(format!("{}: cannot be run: {e}", entry.program())))?;
         out += &String::from_utf8_lossy(&run.stdout);
         out.push('\n');
         if !run.status.success() {
@@ -63,6 +75,35 @@ pub(super) fn figures(flags: &Flags) -> Result<String, Failure> {
     }
     super::print(&out)?;
     Err(Failure::work(failed.join("\n")))
+}
+
+/// Runs a program to its end, or until this one is to stop: then it is ended too.
+fn ended(mut command: Command) -> io::Result<Output> {
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()?;
+    let streams: [Option<Box<dyn Read + Send>>; 2] = [
+        child.stdout.take().map(|s| Box::new(s) as Box<dyn Read + Send>),
+        child.stderr.take().map(|s| Box::new(s) as Box<dyn Read + Send>),
+    ];
+    // Both are read at once, or a full pipe would stop the program.
+    let readers = streams.map(|stream| {
+        thread::spawn(move || {
+            let mut bytes = Vec::new();
+            stream.map_or(Ok(0), |mut s| s.read_to_end(&mut bytes)).map(|_| bytes)
+        })
+    });
+    let status = loop {
+        if let Some(status) = child.try_wait()? {
+            break status;
+        }
+        if stop_flag().load(Ordering::Relaxed) {
+            child.kill()?;
+            break child.wait()?;
+        }
+        thread::sleep(Duration::from_millis(20));
+    };
+    let [stdout, stderr] =
+        readers.map(|r| r.join().unwrap_or_else(|_| Err(io::Error::other("a reader failed"))));
+    Ok(Output { status, stdout: stdout?, stderr: stderr? })
 }
 
 fn is_chosen(entry: &Entry, only: Option<&str>) -> bool {

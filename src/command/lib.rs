@@ -1,22 +1,27 @@
 //! The verbs of the `lightbench` command.
 //!
 //! stdout carries results, and last the paths written, one a line; stderr carries progress, notes and
-//! errors. Exit codes: 0 done, 1 a claim failed or a file could not be written, 2 wrong usage or input.
+//! errors. Exit codes: 0 done, 1 a claim failed or a file could not be written, 2 wrong usage or input, and 129, 130 or
+//! 143 when stopped by a signal (SIGHUP, SIGINT, SIGTERM).
 
+pub mod check;
 mod convert;
 mod figures;
 mod render;
+mod target;
+mod usage;
 
-use clap::{Parser, Subcommand};
+use clap::{FromArgMatches, Parser, Subcommand};
 use lightbench_kit::compare::{self, CompareError};
 use lightbench_kit::file::FileError;
 use lightbench_kit::flags::Flags;
 use lightbench_kit::probe;
-use lightbench_kit::progress::say;
-use lightbench_kit::scene_file::{self, Color};
+use lightbench_kit::progress::{say, stop_code};
+use lightbench_kit::scene_file::Color;
 use std::io::{IsTerminal, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use target::Out;
 
 /// An optical bench for learning light transport.
 #[derive(Parser)]
@@ -24,16 +29,24 @@ use std::process::ExitCode;
 struct Cli {
     #[command(subcommand)]
     verb: Verb,
-    #[command(flatten)]
-    flags: Flags,
 }
+
+const CHECK: &str = "\
+Report every problem in scene and `.csg` files (`--list` shows what may stand in one).
+A `.csg` file is read as this tracer reads it for `CSG { Source \"x.csg\" }`: with its own blocks and
+parameters, marked † in that list, which document D's editor may not read.";
+
+const CONVERT: &str = "\
+Write the trees of solids of scene files as `.csg` files.
+This tracer reads them with `CSG { Source \"x.csg\" }`. Where a tree has the tracer's own blocks and
+parameters, marked † in `lightbench check --list`, document D's editor may not read the file.";
 
 #[derive(Subcommand)]
 enum Verb {
     /// List the lessons
-    List,
-    /// Run the lessons and make every figure and the page `index.html` [default --out: figures]
-    Figures,
+    List(Flags),
+    /// Run the lessons and make every figure and the page `index.html`
+    Figures(Flags),
     /// Render scene files
     Render(render::RenderArgs),
     /// Compare two pictures: errors in numbers, and where they lie as a picture
@@ -42,16 +55,24 @@ enum Verb {
         a: PathBuf,
         /// The reference
         b: PathBuf,
+        #[command(flatten)]
+        flags: Flags,
     },
-    /// Report every problem in scene files (`--list` shows what may stand in one)
+    /// Report every problem in scene and `.csg` files (`--list` shows what may stand in one)
+    #[command(long_about = CHECK)]
     Check {
-        /// Scene files
+        /// Scene files and `.csg` files
         files: Vec<PathBuf>,
+        #[command(flatten)]
+        flags: Flags,
     },
-    /// Write the trees of solids of scene files as `.csg` files, which document D's editor reads
+    /// Write the trees of solids of scene files as `.csg` files
+    #[command(long_about = CONVERT)]
     Convert {
         /// Scene files; those with several trees make several files
         files: Vec<PathBuf>,
+        #[command(flatten)]
+        flags: Flags,
     },
     /// Evaluate a library function on each row of a table from stdin (`--list` shows the topics)
     Probe {
@@ -63,7 +84,38 @@ enum Verb {
         /// A file with data, for topics that need one
         #[arg(long, value_name = "FILE")]
         data: Option<PathBuf>,
+        #[command(flatten)]
+        flags: Flags,
     },
+}
+
+impl Verb {
+    /// Its name and its flags.
+    fn flags(&self) -> (&'static str, &Flags) {
+        match self {
+            Verb::List(flags) => ("list", flags),
+            Verb::Figures(flags) => ("figures", flags),
+            Verb::Render(args) => ("render", &args.flags),
+            Verb::Compare { flags, .. } => ("compare", flags),
+            Verb::Check { flags, .. } => ("check", flags),
+            Verb::Convert { flags, .. } => ("convert", flags),
+            Verb::Probe { flags, .. } => ("probe", flags),
+        }
+    }
+
+    fn run(&self) -> Result<String, Failure> {
+        match self {
+            Verb::List(flags) => figures::list(flags.only.as_deref()),
+            Verb::Figures(flags) => figures::figures(flags),
+            Verb::Render(args) => render::render(args),
+            Verb::Compare { a, b, flags } => compare_pictures(a, b, flags),
+            Verb::Check { files, flags } => check_files(files, flags),
+            Verb::Convert { files, flags } => convert::convert(files, flags),
+            Verb::Probe { topic, method, data, flags } => {
+                probe_table(topic.as_deref(), method.as_deref(), data.as_deref(), flags)
+            }
+        }
+    }
 }
 
 /// Why a verb failed, as an exit code and a message.
@@ -78,9 +130,9 @@ impl Failure {
         Failure { code: 2, message: message.to_string() }
     }
 
-    /// Ctrl-C: the shell's code for an interrupt.
+    /// Stopped by a signal: the shell's code for it.
     pub(crate) fn interrupted(name: &str) -> Self {
-        Failure { code: 130, message: format!("interrupted: {name} was not written") }
+        Failure { code: stop_code(), message: format!("interrupted: {name} was not written") }
     }
 
     /// Something that could not be done: exit code 1.
@@ -91,24 +143,15 @@ impl Failure {
 
 /// The `lightbench` command.
 pub fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let cli = match usage::command().try_get_matches().and_then(|m| Cli::from_arg_matches(&m)) {
         Ok(cli) => cli,
         Err(error) => {
             let _ = error.print();
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
         }
     };
-    let done = match cli.verb {
-        Verb::List => Ok(figures::list()),
-        Verb::Figures => figures::figures(&cli.flags),
-        Verb::Render(args) => render::render(&args, &cli.flags),
-        Verb::Compare { a, b } => compare_pictures(&a, &b, &cli.flags),
-        Verb::Check { files } => check_files(&files, &cli.flags),
-        Verb::Convert { files } => convert::convert(&files, &cli.flags),
-        Verb::Probe { topic, method, data } => {
-            probe_table(topic.as_deref(), method.as_deref(), data.as_deref(), &cli.flags)
-        }
-    };
+    let (verb, flags) = cli.verb.flags();
+    let done = usage::without_effect(verb, flags).and_then(|()| cli.verb.run());
     match done.and_then(|text| print(&text)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
@@ -159,31 +202,36 @@ fn probe_table(
 /// Compares, and puts the error picture beside the other results.
 fn compare_pictures(a: &Path, b: &Path, flags: &Flags) -> Result<String, Failure> {
     let stem = |path: &Path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let target = flags.out().join(format!("{}_minus_{}.png", stem(a), stem(b)));
+    let target = match target::named(flags.out.as_deref(), render::ENDINGS)? {
+        Out::File(file) => file,
+        Out::Folder(folder) => folder.join(format!("{}_minus_{}.png", stem(a), stem(b))),
+    };
     compare::compare(a, b, Some(&target)).map_err(|e| match &e {
         CompareError::File(FileError::Io { path, .. }) if *path == target => Failure::work(e),
         _ => Failure::input(e),
     })
 }
 
-/// Checks scene files one after the other; the reports are the result, and a file with problems fails.
+/// Checks scene files one after the other; the reports are the result, and a file with problems fails. `--quiet` leaves
+/// those of right files out.
 fn check_files(files: &[PathBuf], flags: &Flags) -> Result<String, Failure> {
     if flags.list {
-        return Ok(scene_file::reference());
+        return Ok(lightbench_kit::scene_file::reference());
     }
     if files.is_empty() {
-        return Err(Failure::input("check: expected scene files, found none"));
+        return Err(Failure::input(
+            "check: expected scene files, found none (`check --list` shows what may stand in one)",
+        ));
     }
     // Right files are reported on stdout, wrong ones on stderr: colours only where neither is a file.
     let color = if std::io::stdout().is_terminal() { render::stderr_color() } else { Color::Never };
-    let reports: Vec<_> = files.iter().map(|file| scene_file::check::check(file, color)).collect();
+    let reports: Vec<_> = files.iter().map(|file| check::check(file, color)).collect();
     let (right, wrong): (Vec<_>, Vec<_>) = reports.into_iter().partition(|r| r.problems == 0);
-    let texts = |reports: Vec<scene_file::check::CheckReport>| {
-        reports.into_iter().map(|r| r.text).collect::<String>()
-    };
+    let texts = |reports: Vec<check::CheckReport>| reports.into_iter().map(|r| r.text).collect::<String>();
+    let right = if flags.quiet { String::new() } else { texts(right) };
     if wrong.is_empty() {
-        return Ok(texts(right));
+        return Ok(right);
     }
-    print(&texts(right))?;
+    print(&right)?;
     Err(Failure::input(texts(wrong)))
 }

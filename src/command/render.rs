@@ -1,5 +1,7 @@
 //! `lightbench render`: from scene files to pictures.
 
+use super::check::counted;
+use super::target::{self, Out};
 use super::{Failure, print};
 use clap::{Args, ValueEnum};
 use lightbench::film::tone::ToneMap;
@@ -7,7 +9,7 @@ use lightbench::integrator::{Local, Stage};
 use lightbench::ray::RayKind;
 use lightbench::render::{Control, Picture, RenderError, Rendered, render_with};
 use lightbench_kit::figure::Provenance;
-use lightbench_kit::file::{Format, write_as};
+use lightbench_kit::file::{Format, write_as, write_atomically};
 use lightbench_kit::flags::{Flags, PictureFormat, Quality, quoted};
 use lightbench_kit::progress::{Progress, Verbosity, say, stop_flag};
 use lightbench_kit::replay;
@@ -23,12 +25,17 @@ pub(super) struct RenderArgs {
     /// How a ray becomes radiance (`--list` shows the ways)
     #[arg(long, value_enum, default_value_t)]
     integrator: IntegratorName,
-    /// What happens to values over 1 in PNG files
-    #[arg(long, value_enum, default_value_t)]
-    tone: Tone,
-    /// Instead of a picture: every ray of one pixel, as text and as a drawing
+    /// What happens to values over 1 in PNG files [default: clamp]
+    #[arg(long, value_enum)]
+    tone: Option<Tone>,
+    /// Instead of a picture: every ray of one pixel, as text and as a drawing (.svg)
     #[arg(long, value_name = "X,Y", value_parser = pixel)]
     pixel: Option<(usize, usize)>,
+    /// Name of the file in the folder, for a single scene [default: that of the scene]
+    #[arg(long)]
+    name: Option<String>,
+    #[command(flatten)]
+    pub flags: Flags,
 }
 
 /// The integrators there are to choose from.
@@ -85,30 +92,52 @@ fn pixel(text: &str) -> Result<(usize, usize), String> {
 /// Most rays that `--pixel` keeps; about 40 MB of text.
 const MOST_REPLAYED: u64 = 1 << 18;
 
+/// A scene, what is to be made of it, and where that goes.
+struct Job<'a> {
+    path: &'a Path,
+    file: SceneFile,
+    picture: Picture,
+    target: PathBuf,
+    /// The flags as they count for this file: with the format of its ending.
+    flags: Flags,
+}
+
 /// Renders one picture after the other, and prints the path of each when it stands. Nothing is rendered before all
 /// scenes are read and everything that was asked for is known to be possible.
-pub(super) fn render(args: &RenderArgs, flags: &Flags) -> Result<String, Failure> {
+pub(super) fn render(args: &RenderArgs) -> Result<String, Failure> {
+    let flags = &args.flags;
     if flags.list {
         return Ok(list());
     }
-    let scenes = chosen(args, flags)?;
-    let mut jobs = Vec::new();
-    for path in scenes {
-        let file = open(path, flags)?;
-        let picture = picture(&file, flags)?;
-        jobs.push((path, file, picture, target(path, args, flags)));
+    if let Some(PictureFormat::Svg | PictureFormat::Pdf) = flags.format {
+        let expected = "--format: expected png, png16, exr or hdr for a render, found a format of charts";
+        return Err(Failure::input(expected));
     }
-    for (i, job) in jobs.iter().enumerate() {
-        if let Some(same) = jobs[..i].iter().find(|other| other.3 == job.3) {
-            let (a, b, target) = (same.0.display(), job.0.display(), job.3.display());
+    let scenes = chosen(args, flags)?;
+    scenes.iter().try_for_each(|path| target::scene(path))?;
+    let mut targets: Vec<(&Path, PathBuf, Flags)> = Vec::new();
+    for &path in &scenes {
+        let target = target(path, args, scenes.len() == 1)?;
+        if let Some((other, ..)) = targets.iter().find(|(_, same, _)| *same == target) {
+            let (a, b, target) = (other.display(), path.display(), target.display());
             return Err(Failure::input(format!("{a} and {b} would both be written to {target}")));
         }
+        let flags = with_format(&target, args)?;
+        targets.push((path, target, flags));
     }
-    writable(&flags.out())?;
-    for (path, file, picture, target) in &jobs {
+    let mut jobs = Vec::new();
+    for (path, target, flags) in targets {
+        let file = open(path, &flags)?;
+        let picture = picture(&file, &flags)?;
+        jobs.push(Job { path, file, picture, target, flags });
+    }
+    for job in &jobs {
+        target::writable(&job.target)?;
+    }
+    for job in &jobs {
         print(&match args.pixel {
-            Some(at) => replay_pixel(path, file, *picture, at, target, args, flags)?,
-            None => render_picture(path, file, *picture, target, args, flags)?,
+            Some(at) => replay_pixel(job, at, args)?,
+            None => render_picture(job, args)?,
         })?;
     }
     Ok(String::new())
@@ -138,7 +167,7 @@ fn list() -> String {
     let mut add = |flag: &str, value: Option<clap::builder::PossibleValue>| {
         if let Some(value) = value {
             let help = value.get_help().map(ToString::to_string).unwrap_or_default();
-            let _ = writeln!(out, "--{flag} {:<12} {help}", value.get_name());
+            let _ = writeln!(out, "{:<26} {help}", format!("--{flag} {}", value.get_name()));
         }
     };
     IntegratorName::value_variants().iter().for_each(|v| add("integrator", v.to_possible_value()));
@@ -150,34 +179,92 @@ fn stem(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Where the picture of a scene, or the drawing of its pixel, goes.
-fn target(path: &Path, args: &RenderArgs, flags: &Flags) -> PathBuf {
-    flags.out().join(match args.pixel {
-        Some((x, y)) => format!("{}_pixel_{x}_{y}.svg", stem(path)),
-        None => format!("{}.{}", stem(path), format(flags).extension()),
-    })
-}
+/// Endings of the files that pictures are written in; the first is the default.
+pub(super) const ENDINGS: &[&str] = &["png", "exr", "hdr"];
+/// Endings of the files that drawings are written in.
+const DRAWN: &[&str] = &["svg", "png"];
 
-fn format(flags: &Flags) -> Format {
-    match flags.format {
-        None | Some(PictureFormat::Png) => Format::Png8,
-        Some(PictureFormat::Png16) => Format::Png16,
-        Some(PictureFormat::Exr) => Format::Exr,
-        Some(PictureFormat::Hdr) => Format::Hdr,
+/// Where the picture of a scene, or the drawing of its pixel, goes.
+fn target(path: &Path, args: &RenderArgs, single: bool) -> Result<PathBuf, Failure> {
+    let endings = if args.pixel.is_some() { DRAWN } else { ENDINGS };
+    let out = args.flags.out.as_deref();
+    let for_one = |flag: &str, name: &str| {
+        let message = "expected one scene for one file, found several";
+        Failure::input(format!("{flag} {name}: {message}"))
+    };
+    let stem = match args.pixel {
+        Some((x, y)) => format!("{}_pixel_{x}_{y}", stem(path)),
+        None => stem(path),
+    };
+    let default = match args.flags.format {
+        Some(format) if args.pixel.is_none() => written(format).extension(),
+        _ => endings[0],
+    };
+    match &args.name {
+        Some(name) if !single => Err(for_one("--name", name)),
+        Some(name) => {
+            // Without an ending of its own it gets that of the format.
+            let endings = [&[default], endings].concat();
+            target::in_folder(out, name, &endings)
+        }
+        None => match target::named(out, endings)? {
+            Out::File(file) if !single => Err(for_one("--out", &file.display().to_string())),
+            Out::File(file) => Ok(file),
+            Out::Folder(folder) => Ok(folder.join(format!("{stem}.{default}"))),
+        },
     }
 }
 
-/// Refuses, before the work, a folder that is or lies in something else.
-fn writable(folder: &Path) -> Result<(), Failure> {
-    match folder.ancestors().find(|f| f.exists()) {
-        Some(found) if !found.is_dir() => {
-            let found = found.display();
-            Err(Failure::work(format!(
-                "--out {}: expected a folder, found the file {found}",
-                folder.display()
-            )))
+fn written(format: PictureFormat) -> Format {
+    match format {
+        PictureFormat::Png => Format::Png8,
+        PictureFormat::Png16 => Format::Png16,
+        PictureFormat::Exr => Format::Exr,
+        PictureFormat::Hdr => Format::Hdr,
+        PictureFormat::Svg | PictureFormat::Pdf => Format::Png8, // refused before any render
+    }
+}
+
+/// The flags with the format that a file's ending asks for; what contradicts it, or has no effect on it, is refused.
+fn with_format(target: &Path, args: &RenderArgs) -> Result<Flags, Failure> {
+    let flags = args.flags.clone();
+    let has = |value: Option<clap::builder::PossibleValue>| {
+        value.map_or(String::new(), |v| v.get_name().to_string())
+    };
+    let format = flags.format.map(|f| has(f.to_possible_value()));
+    let tone = args.tone.map(|t| has(t.to_possible_value()));
+    if args.pixel.is_some() {
+        return match (&format, &tone) {
+            (Some(f), _) => Err(Failure::input(format!(
+                "--format {f} has no effect on --pixel: the drawing is .svg or .png"
+            ))),
+            (None, Some(t)) => {
+                Err(Failure::input(format!("--tone {t} has no effect on --pixel: it prints radiance")))
+            }
+            (None, None) => Ok(flags),
+        };
+    }
+    let ending = target::ending(target);
+    let of_ending = match ending.as_str() {
+        "exr" => PictureFormat::Exr,
+        "hdr" => PictureFormat::Hdr,
+        _ => PictureFormat::Png,
+    };
+    let format = flags.format.unwrap_or(of_ending);
+    let expected = written(format).extension();
+    if ending != expected {
+        let (format, target) = (has(format.to_possible_value()), target.display());
+        return Err(Failure::input(format!(
+            "--format {format}: expected a file that ends in .{expected}, found {target}"
+        )));
+    }
+    match (written(format), tone) {
+        (Format::Exr | Format::Hdr, Some(tone)) => {
+            let message =
+                format!("has no effect on {}: .exr and .hdr hold radiance as it is", target.display());
+            Err(Failure::input(format!("--tone {tone} {message}")))
         }
-        _ => Ok(()),
+        _ => Ok(Flags { format: Some(format), ..flags }),
     }
 }
 
@@ -234,31 +321,20 @@ fn picture(file: &SceneFile, flags: &Flags) -> Result<Picture, Failure> {
     })
 }
 
-fn render_picture(
-    path: &Path,
-    file: &SceneFile,
-    picture: Picture,
-    target: &Path,
-    args: &RenderArgs,
-    flags: &Flags,
-) -> Result<String, Failure> {
-    let format = format(flags);
-    let Rendered { image, .. } = render_scene(&stem(path), file, picture, args, flags)?;
+fn render_picture(job: &Job, args: &RenderArgs) -> Result<String, Failure> {
+    let format = written(job.flags.format.unwrap_or(PictureFormat::Png));
+    let Rendered { image, .. } = render_scene(job, args)?;
     let image = match format {
-        Format::Png8 | Format::Png16 => args.tone.map().apply(&image),
+        Format::Png8 | Format::Png16 => args.tone.unwrap_or_default().map().apply(&image),
         Format::Exr | Format::Hdr => image, // linear and unbounded
     };
-    write_as(target, &image, format, &provenance(path, picture, args, flags)).map_err(Failure::work)?;
-    Ok(format!("{}\n", target.display()))
+    write_as(&job.target, &image, format, &provenance(job, args)).map_err(Failure::work)?;
+    Ok(format!("{}\n", job.target.display()))
 }
 
-fn render_scene(
-    name: &str,
-    file: &SceneFile,
-    picture: Picture,
-    args: &RenderArgs,
-    flags: &Flags,
-) -> Result<Rendered, Failure> {
+fn render_scene(job: &Job, args: &RenderArgs) -> Result<Rendered, Failure> {
+    let Job { path, file, picture, flags, .. } = job;
+    let (name, picture) = (&stem(path), *picture);
     let verbosity = if flags.quiet { Verbosity::Quiet } else { Verbosity::Normal };
     let progress = Progress::start(name, verbosity);
     let control = Control {
@@ -284,52 +360,45 @@ fn render_scene(
 }
 
 /// The command that makes a picture again, byte for byte.
-fn command(path: &Path, args: &RenderArgs, flags: &Flags) -> String {
-    let mut command = format!("lightbench render {}", quoted(&path.display().to_string()));
+fn command(job: &Job, args: &RenderArgs) -> String {
+    let mut command = format!("lightbench render {}", quoted(&job.path.display().to_string()));
     if let Some((x, y)) = args.pixel {
         let _ = write!(command, " --pixel {x},{y}");
     }
     for (name, value, default) in [
         ("integrator", args.integrator.to_possible_value(), IntegratorName::default().to_possible_value()),
-        ("tone", args.tone.to_possible_value(), Tone::default().to_possible_value()),
+        ("tone", args.tone.unwrap_or_default().to_possible_value(), Tone::default().to_possible_value()),
     ] {
         if let Some(value) = value.filter(|v| Some(v) != default.as_ref()) {
             let _ = write!(command, " --{name} {}", value.get_name());
         }
     }
-    command += &Flags { only: None, ..flags.clone() }.canonical(); // the scene is named already
+    command += &Flags { only: None, ..job.flags.clone() }.canonical(); // the scene is named already
     command
 }
 
 /// What a picture says about itself.
-fn provenance(
-    path: &Path,
-    picture: Picture,
-    args: &RenderArgs,
-    flags: &Flags,
-) -> Vec<(&'static str, String)> {
+fn provenance(job: &Job, args: &RenderArgs) -> Vec<(&'static str, String)> {
     vec![
         ("Software", format!("lightbench {}", env!("CARGO_PKG_VERSION"))),
-        ("Command", command(path, args, flags)),
-        ("Parameters", parameters(picture)),
-        ("Seed", picture.seed.to_string()),
+        ("Command", command(job, args)),
+        ("Parameters", parameters(job.picture)),
+        ("Seed", job.picture.seed.to_string()),
     ]
 }
 
 fn parameters(picture: Picture) -> String {
-    format!("{} × {} pixels, {} samples per pixel", picture.width, picture.height, picture.samples)
+    format!(
+        "{} × {} pixels, {} per pixel",
+        picture.width,
+        picture.height,
+        counted(picture.samples as usize, "sample")
+    )
 }
 
-fn replay_pixel(
-    path: &Path,
-    file: &SceneFile,
-    picture: Picture,
-    at: (usize, usize),
-    target: &Path,
-    args: &RenderArgs,
-    flags: &Flags,
-) -> Result<String, Failure> {
-    let (x, y) = at;
+fn replay_pixel(job: &Job, at: (usize, usize), args: &RenderArgs) -> Result<String, Failure> {
+    let Job { path, file, picture, target, .. } = job;
+    let ((x, y), picture) = (at, *picture);
     if x >= picture.width || y >= picture.height {
         let (w, h) = (picture.width - 1, picture.height - 1);
         return Err(Failure::input(format!("--pixel {x},{y}: expected a column 0…{w} and a row 0…{h}")));
@@ -350,11 +419,12 @@ fn replay_pixel(
     }
     let drawing =
         replay::draw(&file.scene, &rays, &format!("Pixel {x},{y} of {name}")).provenance(Provenance {
-            command: command(path, args, flags),
+            command: command(job, args),
             parameters: parameters(picture),
             seed: Some(picture.seed),
             version: env!("CARGO_PKG_VERSION").to_string(),
         });
-    lightbench_kit::file::write_atomically(target, drawing.svg().as_bytes()).map_err(Failure::work)?;
+    let bytes = if target::ending(target) == "png" { drawing.png() } else { drawing.svg().into_bytes() };
+    write_atomically(target, &bytes).map_err(Failure::work)?;
     Ok(out + &format!("{}\n", target.display()))
 }

@@ -33,37 +33,37 @@ impl Quality {
 #[derive(Args, Clone, Debug, Default)]
 pub struct Flags {
     /// Folder for the files that are written [default: out]
-    #[arg(long, value_name = "DIR", global = true)]
+    #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// How much work to do [default: draft]
-    #[arg(long, value_enum, global = true)]
+    #[arg(long, value_enum)]
     pub quality: Option<Quality>,
     /// Seed of every random number: same seed, same bytes [default: 0]
-    #[arg(long, global = true)]
+    #[arg(long)]
     pub seed: Option<u64>,
     /// Number of threads, at most 1024 [default: one for each core]
-    #[arg(long, value_name = "N", global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
     /// Width of pictures [pixels]
-    #[arg(long, value_name = "PX", global = true, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u16).range(1..))]
     pub width: Option<u16>,
     /// Height of pictures [pixels]
-    #[arg(long, value_name = "PX", global = true, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u16).range(1..))]
     pub height: Option<u16>,
     /// Camera rays a pixel
-    #[arg(long, value_name = "N", global = true, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub spp: Option<u16>,
     /// Make only what has this in its name or number
-    #[arg(long, value_name = "NAME", global = true)]
+    #[arg(long, value_name = "NAME")]
     pub only: Option<String>,
     /// File format of pictures
-    #[arg(long, value_enum, global = true)]
+    #[arg(long, value_enum)]
     pub format: Option<PictureFormat>,
     /// No progress, notes or warnings
-    #[arg(long, global = true)]
+    #[arg(long)]
     pub quiet: bool,
     /// List what there is to choose from, and stop
-    #[arg(long, global = true)]
+    #[arg(long)]
     pub list: bool,
 }
 
@@ -78,6 +78,10 @@ pub enum PictureFormat {
     Exr,
     /// Radiance HDR, linear, 8 bits and a shared exponent
     Hdr,
+    /// Vectors, for charts and diagrams of lessons
+    Svg,
+    /// Vectors for LaTeX, for charts and diagrams of lessons
+    Pdf,
 }
 
 impl Flags {
@@ -96,6 +100,24 @@ impl Flags {
         self.out.clone().unwrap_or_else(|| PathBuf::from("out"))
     }
 
+    /// The names of the flags that were given, without their dashes.
+    pub fn given(&self) -> Vec<&'static str> {
+        let all = [
+            ("out", self.out.is_some()),
+            ("quality", self.quality.is_some()),
+            ("seed", self.seed.is_some()),
+            ("threads", self.threads.is_some()),
+            ("width", self.width.is_some()),
+            ("height", self.height.is_some()),
+            ("spp", self.spp.is_some()),
+            ("only", self.only.is_some()),
+            ("format", self.format.is_some()),
+            ("quiet", self.quiet),
+            ("list", self.list),
+        ];
+        all.into_iter().filter(|(_, given)| *given).map(|(name, _)| name).collect()
+    }
+
     /// The flags that decide what is computed, as they would be typed: without `--out`, `--threads`,
     /// `--quiet`, which change nothing in the result, and without those that say what is the default anyway.
     pub fn canonical(&self) -> String {
@@ -112,7 +134,7 @@ impl Flags {
         add("spp", self.spp.map(|n| n.to_string()));
         add("only", self.only.as_deref().map(quoted));
         let format = |f: PictureFormat| f.to_possible_value().map(|v| v.get_name().to_string());
-        add("format", self.format.filter(|f| *f != PictureFormat::Png).and_then(format));
+        add("format", self.format.and_then(format));
         out
     }
 }

@@ -4,6 +4,7 @@
 //! compiled without optimisation in development, because hardly any of it runs in a loop.
 
 pub mod compare;
+pub mod essay;
 pub mod figure;
 pub mod file;
 pub mod flags;
@@ -14,6 +15,7 @@ pub mod progress;
 pub mod replay;
 pub mod scene_file;
 pub mod stage;
+pub mod syllabus;
 
 // So that a module of the mathematics is `crate::shape` here as it is there.
 use lightbench::{

@@ -6,6 +6,7 @@
 //! from run to run and counts do not; the CSV writers in [`record`](counts_csv) keep them in separate files.
 
 mod clock;
+mod ratio;
 mod record;
 mod spread;
 mod tally;
@@ -13,6 +14,7 @@ mod tolerance;
 mod trend;
 
 pub use clock::{time, time_each, timed};
+pub use ratio::Ratio;
 pub use record::{counts_csv, times_csv};
 pub use spread::Spread;
 pub use tally::Tally;

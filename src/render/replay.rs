@@ -90,11 +90,11 @@ impl Traced {
         let end = match (&self.hit, self.blocker) {
             (Some((i, hit)), _) => {
                 let (p, n) = (hit.point, hit.ng);
-                format!("meets {} at t = {:.6}, point {p:.6}, normal {n:.6}", name(*i), hit.t)
+                format!("hits {} at t = {:.6}, point {p:.6}, normal {n:.6}", name(*i), hit.t)
             }
             (None, Some(i)) => format!("blocked by {}", name(i)),
             (None, None) if self.kind == RayKind::Shadow => "reaches the light".to_string(),
-            (None, None) => "meets no object".to_string(),
+            (None, None) => "hits no object".to_string(),
         };
         // Writing to a string cannot fail.
         let _ = writeln!(

@@ -9,6 +9,16 @@ use std::process::{Command, Output, Stdio};
 pub const SCENE: &str = "Camera { POV 0 0 5 POI 0 0 0 }\nMaterial { Name m }\n\
                          Sphere { Material m Radius 1 }\nPointLight { Position 3 4 5 }\n";
 
+/// The project's own folder: the nearest above that has a README.
+pub fn root() -> PathBuf {
+    let above = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
+    above
+        .into_iter()
+        .find(|folder| folder.join("README.md").exists())
+        .expect("the project's folder")
+        .to_path_buf()
+}
+
 /// A fresh empty folder, named after the test.
 pub struct Bench {
     pub folder: PathBuf,

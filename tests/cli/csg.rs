@@ -80,6 +80,47 @@ fn every_problem_of_a_tree_is_told_at_its_place() {
     assert!(empty.code == Some(2) && empty.err.contains("holds no tree"), "{}", empty.err);
 }
 
+/// What the errors say and what the outline shows are the same: who holds itself, and what is not used.
+#[test]
+fn circles_and_their_outline_agree() {
+    let union = |left: &str, right: &str| {
+        let operand = |side: &str, of: &str| {
+            let (name, index) = of.split_once(' ').expect("a type and an index");
+            format!("{side}Type {name} {side}Index {index} ")
+        };
+        format!("Union {{ {}{} }}\n", operand("Left", left), operand("Right", right))
+    };
+    let own = union("Sphere 0", "Union 0");
+    let two = union("Union 1", "Sphere 1") + &union("Sphere 0", "Union 0");
+    let held =
+        two.clone() + "Difference { LeftType Union LeftIndex 1 RightType Box RightIndex 0 }\nBox { }\n";
+    let twice = union("Union 0", "Union 0");
+    for (name, text, circles, unused) in [
+        ("own", own, &["Union 0"][..], "Sphere 1"),
+        ("two", two, &["Union 0"], ""),
+        ("held", held, &["Union 1"], ""),
+        ("twice", twice, &["Union 0"], "Sphere"),
+    ] {
+        let ran = check(&format!("csg_circle_{name}"), "t.csg", &format!("{BALLS}{text}"));
+        assert_eq!(ran.code, Some(2), "{name}");
+        let told: Vec<&str> = ran.err.lines().filter(|l| l.contains(" holds itself: ")).collect();
+        assert_eq!(told.len(), circles.len(), "{name}:\n{}", ran.err);
+        for circle in circles {
+            assert!(
+                told.iter().any(|l| l.contains(&format!("error: {circle} holds itself"))),
+                "{name}:\n{}",
+                ran.err
+            );
+        }
+        for line in ran.err.lines().filter(|l| l.contains("(holds itself)")) {
+            assert!(circles.iter().any(|c| line.contains(c)), "{name}: `{line}` is no error:\n{}", ran.err);
+        }
+        for line in ran.err.lines().filter(|l| l.contains("(not used)")) {
+            assert!(!unused.is_empty() && line.contains(unused), "{name}: `{line}` is used:\n{}", ran.err);
+        }
+    }
+}
+
 #[test]
 fn an_unused_solid_is_a_warning() {
     let text =
@@ -227,11 +268,18 @@ fn what_cannot_be_converted_is_told_and_writes_nothing() {
         ("convert right.scene ball.scene", "none of them a `CSG`"),
         ("convert right.scene named.scene", "named.scene:4:1: error: `CSG` comes from another file"),
         ("convert right.scene missing.scene", "missing.scene: cannot be read"),
-        ("convert right.scene right.scene", "two files would be called"),
+        ("convert right.scene right.scene", "two trees would be written to out/right.csg"),
     ] {
         let ran = bench.line(line);
         assert_eq!(ran.code, Some(2), "{line}");
         assert!(ran.err.contains(word), "`{word}` is not in\n{}", ran.err);
     }
     assert_eq!(bench.files(), before);
+    bench.line("convert right.scene --out trees/a.csg").done();
+    bench.line("check trees/a.csg").done();
+    let two = "CSG { Material m Box { } } CSG { Material m Sphere { } }";
+    bench.write("two.scene", format!("{SCENE}{two}\n").as_bytes());
+    bench.line("convert two.scene --out b.csg").refused(2, &["two trees would be written to b.csg"]);
+    assert_eq!(bench.line("convert two.scene").done().out, "out/two_1.csg\nout/two_2.csg\n");
+    bench.line("convert right.scene --out right.scene").refused(1, &["found the file right.scene"]);
 }

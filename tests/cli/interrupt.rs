@@ -1,4 +1,4 @@
-//! Ctrl-C: nothing half-written, the shell's code.
+//! Ctrl-C and other signals to stop: nothing half-written, the shell's code.
 #![cfg(unix)]
 
 use crate::bench::{Bench, SCENE};
@@ -12,20 +12,48 @@ fn endless() -> String {
 }
 
 #[test]
-fn ctrl_c_leaves_no_trace() {
-    let bench = Bench::with_scene("interrupt");
+fn signals_leave_no_trace() {
+    for (signal, code) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
+        let bench = Bench::with_scene(&format!("interrupt_{signal}"));
+        bench.write("long.scene", endless().as_bytes());
+        // One sample a pixel, for the stop is looked at between pixels.
+        let words: Vec<&str> =
+            "render s.scene long.scene --width 8000 --height 8000 --spp 1 --only long".split(' ').collect();
+        let child =
+            bench.command(&words).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("runs");
+        sleep(Duration::from_millis(1500)); // reading the scene takes milliseconds
+        send(signal, child.id());
+        let output = child.wait_with_output().expect("ends");
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{signal}: {err}");
+        assert!(output.stdout.is_empty());
+        assert_eq!(err.lines().last(), Some("interrupted: long was not written"));
+        assert_eq!(bench.files(), ["long.scene", "s.scene"]);
+    }
+}
+
+/// `nohup` has SIGHUP ignored; that holds for what it starts.
+#[test]
+fn nohup_is_respected() {
+    let bench = Bench::new("interrupt_nohup");
     bench.write("long.scene", endless().as_bytes());
-    // One sample a pixel, for the stop is looked at between pixels.
-    let words: Vec<&str> =
-        "render s.scene long.scene --width 8000 --height 8000 --spp 1 --only long".split(' ').collect();
-    let child = bench.command(&words).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("runs");
-    sleep(Duration::from_millis(1500)); // reading the scene takes milliseconds
-    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill");
-    assert!(killed.success());
-    let output = child.wait_with_output().expect("ends");
-    let err = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(130), "{err}");
-    assert!(output.stdout.is_empty());
-    assert_eq!(err.lines().last(), Some("interrupted: long was not written"));
-    assert_eq!(bench.files(), ["long.scene", "s.scene"]);
+    let script = format!(
+        "trap '' HUP; exec {} render long.scene --width 8000 --height 8000",
+        env!("CARGO_BIN_EXE_lightbench")
+    );
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &script]).current_dir(&bench.folder).stdout(Stdio::null()).stderr(Stdio::null());
+    let mut child = shell.spawn().expect("a shell");
+    sleep(Duration::from_millis(1500));
+    send("HUP", child.id());
+    sleep(Duration::from_millis(300));
+    assert!(child.try_wait().expect("a state").is_none(), "it goes on");
+    send("TERM", child.id());
+    assert_eq!(child.wait().expect("ends").code(), Some(143));
+}
+
+fn send(signal: &str, process: u32) {
+    let sent =
+        Command::new("kill").args([&format!("-{signal}"), &process.to_string()]).status().expect("kill");
+    assert!(sent.success());
 }

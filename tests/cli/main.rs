@@ -8,5 +8,6 @@ mod interrupt;
 mod lights;
 mod probe;
 mod quality;
+mod readme;
 mod render;
 mod usage;

@@ -1,6 +1,8 @@
 //! A flag wins over the scene file, the scene file over the quality's defaults.
 
 use crate::bench::{Bench, SCENE};
+use std::io::{BufRead, BufReader};
+use std::process::Stdio;
 
 /// Size and samples of what is rendered, as `--pixel` far outside and the last line of progress tell.
 #[track_caller]
@@ -38,4 +40,23 @@ fn quality_decides_the_samples_too() {
     bench.write("s.scene", (SCENE.to_string() + "SceneSettings { Antialiasing 4 }").as_bytes());
     assert_eq!(samples("--quality final").as_deref(), Some("400"));
     assert_eq!(samples("--quality final --spp 3").as_deref(), Some("300"));
+}
+
+/// A plain line every few seconds says how much is done and how long the rest takes, in words.
+#[test]
+fn progress_is_told_in_plain_lines() {
+    let bench = Bench::with_scene("progress");
+    let light = "AreaLight { Position 0 4 1 Direction 0 -1 0 Subdivision 64 64 }";
+    bench.write("s.scene", (SCENE.to_string() + light).as_bytes());
+    let words = "render s.scene --width 3000 --height 3000 --spp 16".split(' ').collect::<Vec<_>>();
+    let mut child = bench.command(&words).stderr(Stdio::piped()).spawn().expect("runs");
+    let mut line = String::new();
+    let mut err = BufReader::new(child.stderr.take().expect("a pipe"));
+    err.read_line(&mut line).expect("a line");
+    child.kill().and_then(|()| child.wait()).expect("ends");
+    let (share, rest) =
+        line.trim_end().strip_prefix("s: ").and_then(|l| l.split_once(" % after ")).expect("a share");
+    assert!(share.parse::<u32>().is_ok_and(|share| share < 100), "{line}");
+    let (after, left) = rest.split_once(", ").expect("a time left");
+    assert!(after.ends_with(" s") && left.ends_with(" left") && !left.contains("inf"), "{line}");
 }

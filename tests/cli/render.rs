@@ -174,17 +174,64 @@ fn scenes_of_one_name_do_not_overwrite_each_other() {
         .refused(2, &["s.scene and a/s.scene would both be written to out/s.png"]);
 }
 
+/// At final quality each of these would take minutes.
 #[test]
-fn an_out_that_is_no_folder_is_known_before_the_work() {
+fn where_nothing_can_be_written_is_known_before_the_work() {
     let bench = Bench::with_scene("out_file");
-    for out in ["s.scene", "s.scene/deeper"] {
-        // At final quality this would take minutes.
-        bench.line(&format!("render s.scene --quality final --out {out}")).refused(1, &["--out", "s.scene"]);
+    for out in ["s.scene", "s.scene/deeper", "s.scene/s.png"] {
+        bench
+            .line(&format!("render s.scene --quality final --out {out}"))
+            .refused(1, &["expected a folder", "found the file s.scene"]);
     }
     assert_eq!(bench.read("s.scene"), SCENE.as_bytes());
     bench.write("taken/s.png/x", b"");
-    bench.line(&format!("render s.scene {SMALL} --out taken")).refused(1, &["taken/s.png"]);
+    for line in ["--out taken", "--out taken/s.png", "--out taken --name s"] {
+        bench
+            .line(&format!("render s.scene --quality final {line}"))
+            .refused(1, &["taken/s.png", "expected a file, found a folder"]);
+    }
     assert_eq!(bench.files(), ["s.scene", "taken/s.png/x"]);
+}
+
+/// Nobody, not even root, creates files in `/proc`.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_refuses_files_is_known_before_the_work() {
+    let bench = Bench::with_scene("out_refused");
+    for out in ["/proc", "/proc/new", "/proc/s.png"] {
+        bench
+            .line(&format!("render s.scene --quality final --out {out}"))
+            .refused(1, &["cannot create a file in /proc"]);
+    }
+    bench.line("figures --out /proc/new").refused(1, &["cannot create a file in /proc"]);
+}
+
+#[test]
+fn out_may_be_a_file_and_name_names_it() {
+    let bench = Bench::with_scene("out_names");
+    for (line, file, magic) in [
+        ("--out a.png", "a.png", &b"\x89PNG"[..]),
+        ("--out new/deep/A.EXR", "new/deep/A.EXR", b"\x76\x2f\x31\x01"),
+        ("--out a.png --format png16", "a.png", b"\x89PNG"),
+        ("--out pictures.v2", "pictures.v2/s.png", b"\x89PNG"),
+        ("--out pictures.png/", "pictures.png/s.png", b"\x89PNG"),
+        ("--name b", "out/b.png", b"\x89PNG"),
+        ("--name b.v2 --out new", "new/b.v2.png", b"\x89PNG"),
+        ("--name b --format hdr", "out/b.hdr", b"#?RADIANCE"),
+        ("--name b.exr", "out/b.exr", b"\x76\x2f\x31\x01"),
+        ("--pixel 3,4 --out ray.svg", "ray.svg", b"<svg"),
+        ("--pixel 3,4 --name ray", "out/ray.svg", b"<svg"),
+        ("--pixel 3,4 --out ray.png", "ray.png", b"\x89PNG"),
+    ] {
+        let ran = bench.line(&format!("render s.scene {SMALL} {line}")).done();
+        assert_eq!(ran.out.lines().last(), Some(file), "{line}");
+        assert_eq!(&bench.read(file)[..magic.len()], magic, "{line}");
+    }
+    // The command in the file makes a file of the same format.
+    bench.line(&format!("render s.scene {SMALL} --out c.hdr")).done();
+    let hdr = bench.read("c.hdr");
+    let command = format!("lightbench render s.scene {SMALL} --format hdr\n");
+    assert!(hdr.windows(command.len()).any(|w| w == command.as_bytes()));
 }
 
 #[test]
@@ -200,7 +247,7 @@ fn a_pixel_is_replayed() {
     let bench = Bench::with_scene("pixel");
     let ran = bench.line(&format!("render s.scene {SMALL} --pixel 20,12")).done();
     assert!(ran.out.starts_with("pixel 20,12 of s.scene: radiance "), "{}", ran.out);
-    assert!(ran.out.contains("camera ray") && ran.out.contains("meets Sphere"), "{}", ran.out);
+    assert!(ran.out.contains("camera ray") && ran.out.contains("hits Sphere"), "{}", ran.out);
     assert_eq!(ran.out.lines().last(), Some("out/s_pixel_20_12.svg"));
     let svg = String::from_utf8(bench.read("out/s_pixel_20_12.svg")).expect("text");
     assert!(svg.contains("</svg>") && svg.contains("--pixel 20,12"), "a drawing with its command");
@@ -225,7 +272,7 @@ fn two_renders_into_one_folder_leave_a_whole_picture() {
     for child in &mut children {
         assert!(child.wait().expect("ends").success());
     }
-    assert_eq!(texts(&bench.read("out/s.png"))["Parameters"], "64 × 64 pixels, 1 samples per pixel");
+    assert_eq!(texts(&bench.read("out/s.png"))["Parameters"], "64 × 64 pixels, 1 sample per pixel");
     assert_eq!(bench.files(), ["out/s.png", "s.scene"]);
 }
 

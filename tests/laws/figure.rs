@@ -382,6 +382,56 @@ fn a_line_sorts_its_points_steps_keep_their_order_and_scatter_joins_none() {
     assert!(noted(1.0e-7) && !noted(1.0) && !noted(f64::NAN), "a note stands beside its place, or nowhere");
 }
 
+/// Half of the points failed on 1 question of 100 each; the share is that of all 800 questions, not of the 400.
+#[test]
+fn failures_are_counted_out_of_all_that_was_asked() {
+    let mut series = line(1.0e-3, -0.4, 8);
+    for (i, p) in series.points.iter_mut().enumerate() {
+        p.failures = Failures { missed: u64::from(i % 2 == 0), of: 100, ..Failures::default() };
+    }
+    let axis = Axis::log("distance").range(1.0, 1.0e3);
+    let texts: Vec<String> = Chart::error_over(axis, "error")
+        .line("a", &series)
+        .draw()
+        .texts()
+        .iter()
+        .map(|t| t.text.clone())
+        .collect();
+    assert!(texts.iter().any(|t| t.contains("4 missed of 800")), "{texts:?}");
+}
+
+/// Times that a busy machine has shuffled must not change which points a line joins.
+#[test]
+fn a_line_joins_its_points_in_the_order_of_the_parameter() {
+    let mut series = line(1.0e-3, -0.4, 4);
+    series.points.iter_mut().for_each(|p| p.runs.clear());
+    for (point, time) in series.points.iter_mut().zip([4.0e-7, 1.0e-7, 3.0e-7, 2.0e-7]) {
+        point.time = Some(Spread::exact(time));
+    }
+    let drawn = |chart: Chart| Figure::from(chart).svg();
+    let new = || Chart::speed_accuracy("error");
+    assert_eq!(drawn(new().line("a", &series)), drawn(new().steps("a", &series)));
+}
+
+/// Two pixels, black and white, shrunk to one send half the light: sRGB level 188, where the mean of bytes is 128.
+#[test]
+fn pictures_are_shrunk_in_linear_light() {
+    let mut drawing = Drawing::new(1.0, 1.0);
+    drawing.image(Rect::new(0.0, 0.0, 1.0, 1.0), Pixels::new(2, 1, vec![0, 0, 0, 255, 255, 255]));
+    let half = (lightbench::color::srgb_encode(0.5) * 255.0).round() as u8;
+    assert_eq!(bitmap::render(&drawing).rgb, [half; 3]);
+}
+
+#[test]
+fn a_figure_without_its_heading_has_its_marks_further_up_and_nothing_else_changed() {
+    let whole = Figure::from(chart());
+    let bare = whole.clone().without_heading();
+    let texts = |f: &Figure| f.drawing.texts().len();
+    assert!(texts(&bare) < texts(&whole) && bare.drawing.height < whole.drawing.height);
+    assert!(bare.drawing.texts().iter().all(|t| !t.text.contains("A finding")));
+    assert_eq!(whole.drawing.items.len() - bare.drawing.items.len(), whole.drawing.heading.1);
+}
+
 #[test]
 fn degenerate_diagrams_maps_and_panels_still_draw() {
     let empty = [

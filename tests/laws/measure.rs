@@ -189,3 +189,15 @@ fn counts_and_times_stay_in_files_of_their_own() {
     assert_eq!(row[3].parse::<f64>(), Ok(1.0 / 3.0));
     assert_eq!(row.iter().skip(7).collect::<Vec<_>>(), ["4", "2", "1", "9"]);
 }
+
+/// Pairs of times that a machine measured, one of them disturbed: the quartiles leave the disturbed one out.
+#[test]
+fn a_ratio_of_interleaved_times_has_its_quartiles_and_words() {
+    let pairs = [(2.0, 1.0), (3.0, 1.0), (2.5, 1.0), (90.0, 1.0), (2.5, 1.0)];
+    let ratio = lightbench::measure::Ratio::of_pairs(&pairs).expect("pairs");
+    assert_eq!((ratio.0.low, ratio.0.mid, ratio.0.high), (2.5, 2.5, 3.0));
+    assert_eq!(ratio.to_string(), "2.5 to 3.0 times");
+    assert!(ratio.tells(1.0) && !ratio.tells(2.7));
+    assert!(ratio.words(2.7).contains("too busy to tell"));
+    assert!(lightbench::measure::Ratio::of_pairs(&[(0.0, 1.0)]).is_none());
+}

@@ -289,7 +289,7 @@ fn the_projects_scenes_of_surfaces_are_right() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.scene"));
         let file = read_file(&path).unwrap_or_else(|e| panic!("{}", e.render(Color::Never)));
         assert!(file.remarks.is_empty(), "{}", file.remarks.render(Color::Never));
-        let report = lightbench_kit::scene_file::check::check(&path, Color::Never);
+        let report = lightbench_command::check::check(&path, Color::Never);
         assert!(report.text.contains(&format!("{objects} objects")), "{}", report.text);
         assert_eq!(report.problems, 0);
     }

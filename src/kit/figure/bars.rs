@@ -127,7 +127,7 @@ impl From<Bars> for Figure {
             bars.bars.iter().map(|(m, _, label)| format!("{} {label}", m.name)).collect();
         let alt = format!("{}. Bars of {}: {}.", bars.heading.sentence(), bars.axis.title, values.join("; "));
         let mut figure = Figure::new(bars.draw(), &bars.heading.title, &alt);
-        figure.caption = bars.heading.sentence();
+        figure.caption = bars.heading.caption();
         figure.repeats = bars.repeats;
         figure.data.push(Data { repeats: bars.repeats, csv: bars.csv() });
         figure

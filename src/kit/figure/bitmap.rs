@@ -6,7 +6,9 @@ use super::drawing::{
 use super::ink::{Ink, Srgb};
 use super::raster::{Coverage, coverage};
 use super::{font, stroke};
+use crate::color::{srgb_decode, srgb_encode};
 use glam::{DVec2, dvec2};
+use std::sync::LazyLock;
 
 /// Draws on white.
 pub fn render(drawing: &Drawing) -> Pixels {
@@ -159,7 +161,12 @@ impl Canvas {
     }
 }
 
-/// Mean of the source over a rectangle of it; the pixel under its centre where it is smaller than one.
+/// Linear light of each 8-bit sRGB level.
+static LIGHT: LazyLock<[f64; 256]> =
+    LazyLock::new(|| std::array::from_fn(|level| srgb_decode(level as f64 / 255.0)));
+
+/// Mean light of the source over a rectangle of it, so that a half-covered edge sends half the light; the pixel under
+/// its centre where the rectangle is smaller than one.
 fn averaged(source: &Pixels, from: DVec2, to: DVec2) -> Srgb {
     let last = dvec2(source.width as f64 - 1.0, source.height as f64 - 1.0);
     let middle = ((from + to) * 0.5).floor().clamp(DVec2::ZERO, last);
@@ -174,11 +181,11 @@ fn averaged(source: &Pixels, from: DVec2, to: DVec2) -> Srgb {
             let weight = across * (to.x.min(x as f64 + 1.0) - from.x.max(x as f64)).max(1.0e-9);
             total += weight;
             for (s, c) in sum.iter_mut().zip(source.get(x, y)) {
-                *s += weight * f64::from(c);
+                *s += weight * LIGHT[usize::from(c)];
             }
         }
     }
-    sum.map(|s| (s / total).round() as u8)
+    sum.map(|s| (srgb_encode((s / total).clamp(0.0, 1.0)) * 255.0).round() as u8)
 }
 
 /// Keeps of a mask only lines at 45°, with soft edges a pixel wide.

@@ -249,14 +249,48 @@ pub struct Drawing {
     pub width: f64,
     pub height: f64,
     pub items: Vec<Item>,
+    /// The heading at the top: down to where it reaches [px], and how many of the first items it is.
+    pub heading: (f64, usize),
 }
 
 impl Drawing {
     pub fn new(width: f64, height: f64) -> Self {
-        Drawing { width, height, items: Vec::new() }
+        Drawing { width, height, items: Vec::new(), heading: (0.0, 0) }
     }
     pub fn bounds(&self) -> Rect {
         Rect::new(0.0, 0.0, self.width, self.height)
+    }
+    /// The drawing without its heading, the room closed up: for a slide or a page that has the heading as text.
+    pub fn without_heading(mut self) -> Self {
+        let (height, count) = self.heading;
+        self.items.drain(..count.min(self.items.len()));
+        shift(&mut self.items, dvec2(0.0, -height));
+        self.height -= height;
+        self.heading = (0.0, 0);
+        self
+    }
+    /// The drawing with another below it.
+    pub fn above(mut self, mut below: Drawing) -> Self {
+        shift(&mut below.items, dvec2(0.0, self.height));
+        self.items.append(&mut below.items);
+        self.height += below.height;
+        self.width = self.width.max(below.width);
+        self
+    }
+    /// Size of the smallest text [px]; `None` if there is none.
+    pub fn smallest_text(&self) -> Option<f64> {
+        fn sizes(items: &[Item], smallest: &mut f64) {
+            for item in items {
+                match item {
+                    Item::Text(text) => *smallest = smallest.min(text.size),
+                    Item::Clipped { items, .. } => sizes(items, smallest),
+                    _ => {}
+                }
+            }
+        }
+        let mut smallest = f64::INFINITY;
+        sizes(&self.items, &mut smallest);
+        smallest.is_finite().then_some(smallest)
     }
     pub fn line(&mut self, a: DVec2, b: DVec2, stroke: Stroke) {
         self.chain(&[a, b], stroke);
@@ -347,4 +381,20 @@ pub fn arc(center: DVec2, radius: f64, a: f64, b: f64) -> Vec<DVec2> {
         .map(|i| a + (b - a) * i as f64 / n as f64)
         .map(|t| center + radius * dvec2(t.cos(), -t.sin()))
         .collect()
+}
+
+/// Moves marks [px].
+fn shift(items: &mut [Item], by: DVec2) {
+    for item in items {
+        match item {
+            Item::Path { chains, .. } => chains.iter_mut().flat_map(|c| &mut c.points).for_each(|p| *p += by),
+            Item::Circle { center, .. } => *center += by,
+            Item::Text(text) => text.at += by,
+            Item::Image { place, .. } => *place = place.shifted(by),
+            Item::Clipped { to, items } => {
+                *to = to.shifted(by);
+                shift(items, by);
+            }
+        }
+    }
 }

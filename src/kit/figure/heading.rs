@@ -39,7 +39,13 @@ impl Heading {
             y += size * 1.3;
             drawing.text(Text::new(dvec2(MARGIN, y), line, size, Ink::Muted));
         }
+        drawing.heading = (y + 8.0, drawing.items.len());
         y + 26.0
+    }
+
+    /// What a caption says of itself: the subtitle, since the title stands beside it.
+    pub fn caption(&self) -> String {
+        font::plain(&self.subtitle)
     }
 
     /// Title and subtitle as one text.

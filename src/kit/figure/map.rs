@@ -255,7 +255,7 @@ impl From<FailureMap> for Figure {
             percent(map.failing_share())
         );
         let mut figure = Figure::new(map.draw(), &map.heading.title, &alt);
-        figure.caption = map.heading.sentence();
+        figure.caption = map.heading.caption();
         figure.data.push(Data { repeats: Repeats::Always, csv: map.csv() });
         figure
     }

@@ -5,7 +5,7 @@
 //! gives the same bytes. A [`Figure`] is a drawing with its words: title, caption, alternative text, provenance.
 //!
 //! ```
-//! use lightbench::kit::figure::{Chart, Figure, Guide};
+//! use lightbench_kit::figure::{Chart, Figure, Guide};
 //! let chart = Chart::speed_accuracy("relative error of t")
 //!     .title("One Newton step gains eight digits")
 //!     .curve("plain", &[(20.0, 1.0e-8), (40.0, 1.0e-9)])
@@ -91,13 +91,13 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// A figure of any drawing; its caption is the title until [`Figure::caption`] says more.
+    /// A figure of any drawing; its caption is empty until [`Figure::caption`] says what the title does not.
     pub fn new(drawing: Drawing, title: &str, alt: &str) -> Self {
         let plain = font::plain(title);
         Figure {
             drawing,
-            title: plain.clone(),
-            caption: plain,
+            title: plain,
+            caption: String::new(),
             alt: font::plain(alt),
             provenance: Provenance::default(),
             repeats: Repeats::Always,
@@ -114,6 +114,20 @@ impl Figure {
     }
     pub fn provenance(mut self, provenance: Provenance) -> Self {
         self.provenance = provenance;
+        self
+    }
+
+    /// The figure without the heading drawn in it: for slides, and for pages that have the heading as text.
+    pub fn without_heading(mut self) -> Self {
+        self.drawing = self.drawing.without_heading();
+        self
+    }
+    /// The figure with other drawings below it, each with its own heading: what belongs together on one sheet.
+    pub fn stacked<F: Into<Figure>>(mut self, below: F) -> Self {
+        let below = below.into();
+        self.drawing = self.drawing.above(below.drawing);
+        self.alt = format!("{} {}", self.alt, below.alt);
+        self.data.extend(below.data);
         self
     }
 

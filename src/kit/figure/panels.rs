@@ -213,7 +213,7 @@ impl From<Panels> for Figure {
             panels.alt.clone()
         };
         let mut figure = Figure::new(panels.draw(), &panels.heading.title, &alt);
-        figure.caption = panels.heading.sentence();
+        figure.caption = panels.heading.caption();
         figure
     }
 }

@@ -249,7 +249,7 @@ impl From<Roots> for Figure {
             roots.alt.clone()
         };
         let mut figure = Figure::new(roots.draw(), &roots.heading.title, &alt);
-        figure.caption = roots.heading.sentence();
+        figure.caption = roots.heading.caption();
         figure
     }
 }

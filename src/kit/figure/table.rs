@@ -64,6 +64,26 @@ impl Table {
         self.rows.iter().fold(head, |text, row| text + &line(row))
     }
 
+    /// The table as HTML.
+    pub fn html(&self) -> String {
+        let cell = |tag: &str, i: usize, text: &str| {
+            let side = if self.is_numeric(i) { " class=\"number\"" } else { "" };
+            format!("<{tag}{side}>{}</{tag}>", super::svg::escaped(&font::plain(text)))
+        };
+        let row = |tag: &str, cells: &[String]| -> String {
+            cells.iter().enumerate().map(|(i, text)| cell(tag, i, text)).collect()
+        };
+        let rows = self.rows.iter().enumerate().map(|(i, cells)| {
+            let mark = if self.marked == Some(i) { " class=\"marked\"" } else { "" };
+            format!("<tr{mark}>{}</tr>\n", row("td", cells))
+        });
+        let body: String = rows.collect();
+        format!(
+            "<table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{body}</tbody>\n</table>",
+            row("th", &self.columns)
+        )
+    }
+
     /// The table as CSV.
     pub fn csv(&self) -> String {
         let quoted = |cell: &String| {
@@ -157,7 +177,7 @@ impl From<Table> for Figure {
             table.columns.join(", ")
         );
         let mut figure = Figure::new(table.draw(), &table.heading.title, &alt);
-        figure.caption = table.heading.sentence();
+        figure.caption = table.heading.caption();
         figure.repeats = table.repeats;
         figure.data.push(Data { repeats: table.repeats, csv: table.csv() });
         figure

@@ -1,41 +1,55 @@
-//! What a lesson is: a question, figures, claims, an answer.
+//! The harness of lessons: a lesson is a program that measures and an essay that explains.
 //!
-//! The harness is a value: [`Lesson::open`] reads the flags, [`Lesson::save`] writes figures with
-//! their data and provenance, [`Lesson::claim`] checks a sentence, and [`Lesson::answer`] ends the lesson with
-//! one more sentence and the paths of what it wrote.
+//! The harness is a value. [`Lesson::open`] reads the flags and the essay; [`Lesson::figure`], [`Lesson::picture`],
+//! [`Lesson::value`] and [`Lesson::claim`] take closures, so that `--only roots` measures what `roots` needs and no more;
+//! [`Lesson::close`] holds the run against the essay, writes the page, and prints what a student reads on a terminal.
+//!
+//! ```no_run
+//! use lightbench_kit::figure::Chart;
+//! use lightbench_kit::lesson::{Lesson, Result};
+//!
+//! fn main() -> Result {
+//!     let lesson = Lesson::open(2, include_str!("../../../lessons/02_sphere.md"))?;
+//!     lesson.figure("stability", || Ok(Chart::speed_accuracy("relative error of t")))?;
+//!     lesson.value("lost", || 31);
+//!     lesson.claim("the robust method loses no ray", || true);
+//!     lesson.close()
+//! }
+//! ```
 
-mod record;
-mod syllabus;
+mod earlier;
+mod files;
+mod text;
 
-pub use record::{ClaimRecord, FigureRecord, LessonRecord};
-pub use syllabus::{Entry, SYLLABUS, entry};
+pub use crate::syllabus::{ClaimRecord, Entry, FigureRecord, LessonRecord, SYLLABUS, entry};
+pub use files::Picture;
 
-use super::figure::{Figure, Provenance, Repeats};
-use super::flags::{Flags, Quality};
-use crate::file::{FileError, Format, encode, write_atomically};
-use crate::film::Image;
+use crate::essay::{Essay, EssayError, Part};
+use crate::file::write_atomically;
+use crate::flags::{Flags, PictureFormat, Quality};
+use crate::page;
+use crate::progress::{Progress, Verbosity};
 use clap::{CommandFactory, FromArgMatches, Parser};
-use rayon::prelude::*;
 use std::cell::RefCell;
+use std::fmt::Display;
 use std::io::Write;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
-/// Why a lesson failed.
-#[derive(thiserror::Error)]
-pub enum LessonError {
-    #[error(transparent)]
-    File(#[from] FileError),
-    #[error("{failed} of {all} claims failed")]
-    Claims { failed: usize, all: usize },
-    #[error("{0}")]
-    Other(String),
-}
+/// Why a lesson failed: a sentence.
+pub struct LessonError(pub String);
 
 /// `main` prints its error with `Debug`: the sentence is what a reader wants.
 impl std::fmt::Debug for LessonError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{self}")
+        f.write_str(&self.0)
+    }
+}
+
+/// Every error of the library becomes a lesson's by `?`.
+impl<E: std::error::Error> From<E> for LessonError {
+    fn from(error: E) -> Self {
+        LessonError(error.to_string())
     }
 }
 
@@ -47,6 +61,12 @@ pub type Result<T = ()> = std::result::Result<T, LessonError>;
 struct Cli {
     #[command(flatten)]
     flags: Flags,
+    /// Leave out the headings drawn in the figures, for slides
+    #[arg(long)]
+    no_title: bool,
+    /// List every file that was written, one a line, instead of the page alone
+    #[arg(long)]
+    paths: bool,
 }
 
 /// Prints a line; a reader that closed the pipe has read enough.
@@ -54,55 +74,122 @@ fn print(text: &str) {
     let _ = writeln!(std::io::stdout(), "{text}");
 }
 
+/// Ends the program as wrong usage does.
+fn refuse(message: &str) -> ! {
+    crate::progress::say(&format!("error: {message}\n"));
+    std::process::exit(2)
+}
+
 /// A lesson that runs.
 pub struct Lesson {
     entry: &'static Entry,
-    flags: Flags,
+    essay: Option<Essay<'static>>,
+    cli: Cli,
     out: PathBuf,
     record: RefCell<LessonRecord>,
     paths: RefCell<Vec<PathBuf>>,
-    /// Figures whose PNG is drawn at the end, all at once on all cores.
-    pending: RefCell<Vec<(PathBuf, Figure)>>,
+    /// Names of figures, pictures and values so far, to find one that is used twice.
+    names: RefCell<Vec<String>>,
+    problems: RefCell<Vec<String>>,
+    progress: Progress,
+}
+
+/// Whether a claim holds: a truth value, or a closure that finds out.
+pub trait Holds {
+    fn holds(self) -> bool;
+}
+
+impl Holds for bool {
+    fn holds(self) -> bool {
+        self
+    }
+}
+
+impl<F: FnOnce() -> bool> Holds for F {
+    fn holds(self) -> bool {
+        self()
+    }
 }
 
 impl Lesson {
-    /// Reads the command line and prints the question. Wrong usage ends the program with code 2.
+    /// Reads the command line and the essay, and prints the question with its options. Wrong usage ends the program
+    /// with code 2.
     ///
-    /// - Errors: a number that is not in the [`SYLLABUS`].
-    pub fn open(number: u32) -> Result<Self> {
-        let entry = entry(number).ok_or_else(|| LessonError::Other(format!("no lesson {number}")))?;
+    /// - Errors: a number that is not in the [`SYLLABUS`], an essay that departs from the form or asks another question.
+    pub fn open(number: u32, essay: &'static str) -> Result<Self> {
+        let essay = Essay::parse(essay)?;
+        let lesson = Lesson::with(number, Some(essay))?;
+        lesson.opening();
+        Ok(lesson)
+    }
+
+    fn with(number: u32, essay: Option<Essay<'static>>) -> Result<Self> {
+        let entry = entry(number).ok_or_else(|| LessonError(format!("no lesson {number}")))?;
+        if let Some(essay) = essay.as_ref().filter(|e| e.question() != entry.question) {
+            let (expected, found) = (entry.question, essay.question());
+            return Err(
+                EssayError(vec![format!("expected the question “{expected}”, found “{found}”")]).into()
+            );
+        }
         let command =
             Cli::command().bin_name(entry.program()).display_name(entry.program()).about(entry.question);
-        let matches = command.get_matches();
-        let flags = Flags::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
-        if flags.list {
+        let cli = Cli::from_arg_matches(&command.get_matches()).unwrap_or_else(|e| e.exit());
+        if let Some(essay) = &essay {
+            check_names(entry, essay, &cli);
+        } else if cli.flags.list {
             print(&format!("{}  {}", entry.program(), entry.question));
             std::process::exit(0);
         }
-        if let Some(threads) = flags.threads {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
-            pool.build_global()
-                .map_err(|e| LessonError::Other(format!("threads could not be started: {e}")))?;
+        if let Some(format @ (PictureFormat::Exr | PictureFormat::Hdr | PictureFormat::Png16)) =
+            cli.flags.format
+        {
+            refuse(
+                &format!("--format: expected svg, png or pdf for figures, found {format:?}").to_lowercase(),
+            );
         }
-        print(&format!("Lesson {:02} · {}\n", entry.number, entry.question));
-        let command = format!("cargo run --bin {}{}", entry.program(), flags.canonical());
-        let record = LessonRecord::new(entry, command);
-        let out = flags.out();
-        let (paths, pending) = (RefCell::default(), RefCell::default());
-        Ok(Lesson { entry, flags, out, record: RefCell::new(record), paths, pending })
+        if let Some(threads) = cli.flags.threads {
+            rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global()?;
+        }
+        let arguments = cli.flags.canonical() + if cli.no_title { " --no-title" } else { "" };
+        let dashes = if arguments.is_empty() { "" } else { " --" };
+        let command = format!("cargo run --bin {}{dashes}{arguments}", entry.program());
+        let verbosity = if cli.flags.quiet { Verbosity::Quiet } else { Verbosity::Normal };
+        Ok(Lesson {
+            entry,
+            essay,
+            out: cli.flags.out(),
+            cli,
+            record: RefCell::new(LessonRecord::new(entry, command)),
+            paths: RefCell::default(),
+            names: RefCell::default(),
+            problems: RefCell::default(),
+            progress: Progress::start(&entry.program(), verbosity),
+        })
     }
 
     pub fn seed(&self) -> u64 {
-        self.flags.seed()
+        self.cli.flags.seed()
     }
 
     pub fn quality(&self) -> Quality {
-        self.flags.quality()
+        self.cli.flags.quality()
     }
 
-    /// The flags, for the few that a lesson reads itself: `--width`, `--height`, `--spp`, `--threads`.
+    /// The flags, for the few that a lesson reads itself.
     pub fn flags(&self) -> &Flags {
-        &self.flags
+        &self.cli.flags
+    }
+
+    /// Size of a render [px]: `--width` and `--height` if given (one alone keeps the proportions), else `usual`.
+    pub fn size(&self, usual: (usize, usize)) -> (usize, usize) {
+        let scaled =
+            |given: u16, from: usize, to: usize| (usize::from(given) * to).div_ceil(from.max(1)).max(1);
+        match (self.cli.flags.width, self.cli.flags.height) {
+            (Some(w), Some(h)) => (w.into(), h.into()),
+            (Some(w), None) => (w.into(), scaled(w, usual.0, usual.1)),
+            (None, Some(h)) => (scaled(h, usual.1, usual.0), h.into()),
+            (None, None) => usual,
+        }
     }
 
     /// One of four values, by quality: smoke, draft, standard, final.
@@ -118,119 +205,125 @@ impl Lesson {
         (first..=last).map(|e| 1 << e).collect()
     }
 
-    /// Prints a paragraph of the lesson.
-    pub fn say(&self, text: &str) {
-        print(&format!("{text}\n"));
-    }
-
-    /// Writes a figure as SVG and PNG, its data as CSV, and its words as JSON: `02_sphere_{what}.svg` and so on.
-    /// What shows measured seconds is named `…_time`.
-    ///
-    /// - Errors: a file that cannot be written.
-    pub fn save(&self, what: &str, figure: impl Into<Figure>) -> Result {
-        let figure = figure.into();
-        if !self.wants(what) {
-            return Ok(());
+    /// A number of this run that the essay quotes as `{name}`; it is computed only if the essay is told.
+    pub fn value<T: Display>(&self, name: &str, value: impl FnOnce() -> T) {
+        self.name(name);
+        if self.cli.flags.only.is_none() {
+            self.measuring(name);
+            self.record.borrow_mut().values.insert(name.to_string(), value().to_string());
         }
-        let mut provenance = self.provenance();
-        provenance.parameters = figure.provenance.parameters.clone();
-        let figure = figure.provenance(provenance);
-        let timed = |repeats| if repeats == Repeats::Timed { "_time" } else { "" };
-        let name = format!("{}_{what}{}", self.entry.stem(), timed(figure.repeats));
-        let mut files =
-            vec![self.write(&format!("{name}.svg"), figure.svg().as_bytes())?, format!("{name}.png")];
-        self.paths.borrow_mut().push(self.out.join(&files[1]));
-        for data in &figure.data {
-            let name = format!("{}_{what}{}.csv", self.entry.stem(), timed(data.repeats));
-            files.push(self.write(&name, data.csv.as_bytes())?);
-        }
-        self.describe(&name, &figure.title, &figure.caption, &figure.alt, files)?;
-        self.pending.borrow_mut().push((self.out.join(format!("{name}.png")), figure));
-        Ok(())
-    }
-
-    /// Writes a rendered picture as PNG, and its words as JSON.
-    ///
-    /// - Errors: a file that cannot be written.
-    pub fn save_picture(&self, what: &str, image: &Image, caption: &str, alt: &str) -> Result {
-        if !self.wants(what) {
-            return Ok(());
-        }
-        let name = format!("{}_{what}", self.entry.stem());
-        let p = self.provenance();
-        let texts = [
-            ("Title", caption.to_string()),
-            ("Description", alt.to_string()),
-            ("Command", p.command),
-            ("Seed", self.seed().to_string()),
-            ("Version", p.version),
-        ];
-        let path = self.out.join(format!("{name}.png"));
-        let (bytes, _) = encode(&path, image, Format::Png8, &texts)?;
-        let files = vec![self.write(&format!("{name}.png"), &bytes)?];
-        self.describe(&name, caption, caption, alt, files)
     }
 
     /// A claim: one sentence, and whether it holds in this run.
-    pub fn claim(&self, sentence: &str, holds: bool) {
-        print(&format!("{} {sentence}", if holds { "holds: " } else { "FAILS: " }));
+    pub fn claim(&self, sentence: &str, holds: impl Holds) {
+        if self.essay.is_some() && self.cli.flags.only.is_some() {
+            return;
+        }
+        let holds = holds.holds();
+        if self.essay.is_none() || !holds {
+            self.progress
+                .suspend(|| print(&format!("{} {sentence}", if holds { "holds: " } else { "FAILS: " })));
+        }
         self.record.borrow_mut().claims.push(ClaimRecord { sentence: sentence.to_string(), holds });
     }
 
-    /// Ends the lesson: its answer in one sentence, and the paths of what it wrote.
+    /// Ends the lesson: holds the run against the essay, writes record and page, prints the reasoning and the answer
+    /// with this run's numbers, and last the path of the page.
     ///
-    /// - Errors: a claim that failed, a file that cannot be written.
-    pub fn answer(self, sentence: &str) -> Result {
-        let pending = self.pending.take();
-        pending.into_par_iter().try_for_each(|(path, figure)| write_atomically(&path, &figure.png()))?;
-        print(&format!("\nAnswer: {sentence}\n"));
-        self.record.borrow_mut().answer = sentence.to_string();
-        let json = self.record.borrow().json();
-        self.write(&format!("{}.json", self.entry.stem()), json.as_bytes())?;
-        for path in self.paths.borrow().iter() {
-            print(&path.display().to_string());
+    /// - Errors: a claim that failed, a file that cannot be written, a figure or value that the essay or the run
+    ///   lacks, a name used twice.
+    pub fn close(self) -> Result {
+        let Some(essay) = &self.essay else {
+            return Err(LessonError("a lesson without an essay ends with `answer`".to_string()));
+        };
+        if self.cli.flags.only.is_some() {
+            self.finish_problems()?;
+            self.last_line(None);
+            return Ok(());
         }
+        self.compare(essay);
+        self.finish_problems()?;
+        let values = self.record.borrow().values.clone();
+        self.record.borrow_mut().answer = crate::essay::paragraphs(essay, Part::Use, &values).join(" ");
+        let path = self.finish_page()?;
+        self.reasoning(essay, &values);
+        self.last_line(Some(path));
+        self.verdict()
+    }
+
+    /// Writes the record, and the page made of it.
+    fn finish_page(&self) -> Result<PathBuf> {
+        let record = self.record.borrow();
+        self.write(&format!("{}.json", self.entry.stem()), record.json().as_bytes())?;
+        write_atomically(&self.out.join("glossary.html"), page::glossary().as_bytes())?;
+        let text = page::lesson(self.entry, self.essay.as_ref(), &record);
+        let name = self.write(&format!("{}.html", self.entry.stem()), text.as_bytes())?;
+        Ok(self.out.join(name))
+    }
+
+    fn verdict(&self) -> Result {
         let record = self.record.borrow();
         let failed = record.claims.iter().filter(|c| !c.holds).count();
         if failed > 0 {
-            return Err(LessonError::Claims { failed, all: record.claims.len() });
+            return Err(LessonError(format!("{failed} of {} claims failed", record.claims.len())));
         }
         Ok(())
     }
 
-    /// Does `--only` let this figure through?
-    fn wants(&self, what: &str) -> bool {
-        self.flags.only.as_ref().is_none_or(|only| what.contains(only.as_str()))
-    }
-
-    fn provenance(&self) -> Provenance {
-        Provenance {
-            command: self.record.borrow().command.clone(),
-            parameters: String::new(),
-            seed: Some(self.seed()),
-            version: env!("CARGO_PKG_VERSION").to_string(),
-        }
-    }
-
-    fn write(&self, name: &str, bytes: &[u8]) -> Result<String> {
-        let path = self.out.join(name);
-        write_atomically(&path, bytes)?;
-        self.paths.borrow_mut().push(path);
-        Ok(name.to_string())
-    }
-
-    fn describe(&self, name: &str, title: &str, caption: &str, alt: &str, files: Vec<String>) -> Result {
-        let record = FigureRecord {
-            title: title.to_string(),
-            caption: caption.to_string(),
-            alt: alt.to_string(),
-            command: self.record.borrow().command.clone(),
-            seed: self.seed(),
-            version: env!("CARGO_PKG_VERSION").to_string(),
-            files,
+    /// Is every figure and value of the run in the essay, and the other way round?
+    fn compare(&self, essay: &Essay) {
+        let record = self.record.borrow();
+        let made: Vec<String> = record.figures.iter().map(|f| f.name.clone()).collect();
+        let shown: Vec<String> = essay.figures().into_iter().map(|f| f.name).collect();
+        let given: Vec<String> = record.values.keys().cloned().collect();
+        let quoted: Vec<String> = essay.values().into_iter().collect();
+        let mut problems = self.problems.borrow_mut();
+        let mut missing = |what: &str, all: &[String], from: &[String], place: &str| {
+            for name in all.iter().filter(|n| !from.contains(n)) {
+                problems.push(format!("the {what} `{name}` does not occur in {place}"));
+            }
         };
-        self.write(&format!("{name}.json"), record.json().as_bytes())?;
-        self.record.borrow_mut().figures.push(record);
-        Ok(())
+        missing("figure", &made, &shown, "the essay");
+        missing("figure", &shown, &made, "the run");
+        missing("value", &given, &quoted, "the essay");
+        missing("value", &quoted, &given, "the run");
+    }
+
+    fn finish_problems(&self) -> Result {
+        let problems = self.problems.borrow();
+        if problems.is_empty() { Ok(()) } else { Err(LessonError(problems.join("\n"))) }
+    }
+
+    /// Takes note of a name; one that was used before is a fault of the lesson.
+    fn name(&self, name: &str) {
+        let mut names = self.names.borrow_mut();
+        if names.iter().any(|n| n == name) {
+            self.problems.borrow_mut().push(format!("the name `{name}` is used twice"));
+        }
+        names.push(name.to_string());
+    }
+
+    /// Shows what is being measured, and how much of the lesson is done.
+    fn measuring(&self, what: &str) {
+        let Some(essay) = &self.essay else { return };
+        let all = (essay.figures().len() + essay.values().len()).max(1);
+        self.progress.step(&what.replace('_', " "), self.names.borrow().len() as f64 / all as f64);
+    }
+}
+
+/// `--list` prints the names of the figures; `--only` takes one of them, or several with commas.
+fn check_names(entry: &Entry, essay: &Essay, cli: &Cli) {
+    let names: Vec<String> = essay.figures().into_iter().map(|f| f.name).collect();
+    if cli.flags.list {
+        print(&names.join("\n"));
+        std::process::exit(0);
+    }
+    let wanted = cli.flags.only.iter().flat_map(|only| only.split(','));
+    for name in wanted.filter(|n| !names.iter().any(|known| known == n)) {
+        refuse(&format!(
+            "--only: expected a figure of {}, found `{name}`\nfigures: {}",
+            entry.program(),
+            names.join(", ")
+        ));
     }
 }

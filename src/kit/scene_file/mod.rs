@@ -9,7 +9,6 @@
 
 mod blocks;
 mod build;
-pub mod check;
 pub mod csg;
 mod declared;
 mod diagnostic;

@@ -1,6 +1,7 @@
-//! What a file may ask for that is read and checked, but has no effect yet: told in one note.
+//! What a file asks for in so many words that is read and checked, but has no effect yet: one note names it.
 //!
-//! A feature that arrives takes its row out of [`PENDING`].
+//! Defaults are no requests, and neither is what the material's own model does not use: `Model lambert` is documented to
+//! use `DiffuseColor` alone. A feature that arrives takes its row out of [`PENDING`].
 
 use super::Settings;
 use super::diagnostic::{Diagnostic, Span};
@@ -21,13 +22,24 @@ fn mirrors(m: &Material, s: &Settings) -> bool {
 }
 
 const PENDING: &[Pending] = &[
-    Pending { param: "SpecularColor", asks: |m, _| m.model.is_none() && m.specular != Rgb::ZERO },
-    Pending { param: "Roughness", asks: |m, _| m.model.is_none() && m.roughness > 0.0 },
     Pending { param: "Opacity", asks: |m, _| m.opacity < 1.0 },
     Pending { param: "RefractionIndex", asks: |m, _| m.opacity < 1.0 && m.ior != 1.0 },
     Pending { param: "ReflectionAmount", asks: mirrors },
     Pending { param: "ReflectionAngle", asks: |m, s| mirrors(m, s) && m.reflection_angle > 0.0 },
 ];
+
+/// Settings without effect.
+const PENDING_SETTINGS: &[&str] =
+    &["ReflectionQuality", "ReflectionSteps", "IndirectQuality", "ColorBleeding"];
+
+/// Has this parameter of a block no effect yet, whatever its value?
+pub fn is_pending(block: &str, param: &str) -> bool {
+    match block {
+        "SceneSettings" => PENDING_SETTINGS.contains(&param),
+        "Material" => PENDING.iter().any(|p| p.param == param),
+        _ => false,
+    }
+}
 
 /// Most materials named for one parameter.
 const NAMED: usize = 4;
@@ -41,27 +53,29 @@ pub fn note(
     let mut asked = Vec::new();
     let mut places = Vec::new();
     for pending in PENDING {
-        let who: Vec<_> = materials.iter().filter(|(_, m)| (pending.asks)(m, settings)).collect();
+        let asks = |(block, m): &&(&Block, Material)| {
+            block.entry(pending.param).is_some() && (pending.asks)(m, settings)
+        };
+        let who: Vec<_> = materials.iter().filter(asks).collect();
         if who.is_empty() {
             continue;
         }
         places.extend(who.iter().map(|(block, _)| place(block, pending.param)));
-        let mut names: Vec<_> =
-            who.iter().take(NAMED).map(|(block, m)| named(block, m, pending.param)).collect();
+        let mut names: Vec<_> = who.iter().take(NAMED).map(|(_, m)| m.name.clone()).collect();
         if who.len() > NAMED {
             names.push(format!("{} more", who.len() - NAMED));
         }
         asked.push(format!("{} ({})", pending.param, names.join(", ")));
     }
-    if settings.indirect_quality > 2 {
+    if let Some(block) = settings_block.filter(|_| settings.indirect_quality > 2) {
         for (param, value) in [
             ("IndirectQuality", settings.indirect_quality.to_string()),
             ("ColorBleeding", settings.color_bleeding.to_string()),
         ] {
-            let written = settings_block.filter(|b| b.entry(param).is_some());
-            places.extend(written.map(|b| place(b, param)));
-            let default = if written.is_none() { " (default)" } else { "" };
-            asked.push(format!("{param} {value}{default}"));
+            if block.entry(param).is_some() {
+                places.push(place(block, param));
+                asked.push(format!("{param} {value}"));
+            }
         }
     }
     if asked.is_empty() {
@@ -73,9 +87,4 @@ pub fn note(
 
 fn place(block: &Block, param: &str) -> Span {
     block.entry(param).map_or(block.keyword.clone(), |e| e.keyword.clone())
-}
-
-fn named(block: &Block, material: &Material, param: &str) -> String {
-    let default = if block.entry(param).is_none() { " by default" } else { "" };
-    format!("{}{default}", material.name)
 }

@@ -134,6 +134,7 @@ impl<'a> Lexer<'a> {
     }
 }
 
-fn is_quote(c: char) -> bool {
+/// Does it open or close a text?
+pub fn is_quote(c: char) -> bool {
     matches!(c, '"' | '\u{201c}' | '\u{201d}')
 }

@@ -108,6 +108,8 @@ pub struct Line {
     pub raw: Vec<(f64, f64)>,
     /// Failures, where the horizontal axis puts them.
     pub failures: Vec<(f64, Failures)>,
+    /// Questions asked over all points, those without a failure too.
+    pub asked: u64,
     pub is_measured: bool,
 }
 
@@ -136,13 +138,9 @@ impl Line {
             points,
             raw: raw.collect(),
             failures: failures.collect(),
+            asked: series.points.iter().map(|p| p.failures.of).sum(),
             is_measured: true,
         }
-    }
-
-    /// The same by growing x.
-    pub fn sorted(self) -> Line {
-        Line { points: sorted(self.points), ..self }
     }
 
     pub fn plain(method: &Method, points: &[(f64, f64)], shape: Shape, free: usize) -> Self {
@@ -155,12 +153,15 @@ impl Line {
             shape,
             raw: Vec::new(),
             failures: Vec::new(),
+            asked: 0,
             is_measured: false,
         }
     }
 
+    /// All failures, out of all that was asked.
     pub fn total_failures(&self) -> Failures {
-        self.failures.iter().fold(Failures::default(), |sum, (_, f)| sum.plus(f))
+        let failed = self.failures.iter().fold(Failures::default(), |sum, (_, f)| sum.plus(f));
+        Failures { of: self.asked, ..failed }
     }
 }
 

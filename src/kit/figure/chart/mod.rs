@@ -160,9 +160,11 @@ impl Chart {
         self
     }
 
-    /// A measured method.
+    /// A measured method; its points are joined in the order of the parameter, whatever the axes measure.
     pub fn line(self, method: impl Into<Method>, series: &Series) -> Self {
-        self.measured(method.into(), series, Line::sorted)
+        let mut ordered = series.clone();
+        ordered.points.sort_by(|a, b| a.parameter.total_cmp(&b.parameter));
+        self.measured(method.into(), &ordered, |line| line)
     }
     /// A measured method whose points follow each other in the order given, wherever that leads.
     pub fn steps(self, method: impl Into<Method>, series: &Series) -> Self {
@@ -248,7 +250,7 @@ impl Chart {
 impl From<Chart> for Figure {
     fn from(chart: Chart) -> Figure {
         let mut figure = Figure::new(chart.draw(), &chart.heading.title, &chart.alt());
-        figure.caption = chart.heading.sentence();
+        figure.caption = chart.heading.caption();
         figure.data = chart.data();
         let timed = chart.sources.0 == Quantity::Time || chart.sources.1 == Quantity::Time;
         figure.repeats = if timed && !chart.series.is_empty() { Repeats::Timed } else { Repeats::Always };

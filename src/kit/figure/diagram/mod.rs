@@ -244,7 +244,7 @@ impl From<Diagram> for Figure {
             diagram.alt.clone()
         };
         let mut figure = Figure::new(diagram.draw(), &diagram.heading.title, &alt);
-        figure.caption = diagram.heading.sentence();
+        figure.caption = diagram.heading.caption();
         figure
     }
 }

@@ -66,7 +66,7 @@ const SAMPLES: Param = Param::new(
     "n",
     integer(1, MOST_CELLS as i64),
     Default::Integers(&[16]),
-    "shadow rays from each place",
+    "shadow rays from each point",
 )
 .extension();
 const DIRECTION: Param = Param::new(
@@ -124,7 +124,7 @@ pub const LIGHTS: &[Rule] = &[
     light(
         "DirectionalLight",
         Origin::Extension,
-        "Parallel light from endlessly far away [A §4.3.3, B §7.3.1].",
+        "Parallel light from infinitely far away [A §4.3.3, B §7.3.1].",
         &[
             Param { doc: "where the light travels", ..DIRECTION },
             Param { doc: "a facing surface of reflectance ρ shows the radiance ρ·Color", ..COLOR },

@@ -9,7 +9,7 @@ pub const MODELS: &[&str] =
 
 /// Parameters that some models read, and which.
 pub const READ_BY: &[(&str, &[&str])] = &[
-    // Without a model it is a remark on all that has no effect yet.
+    // The document's materials have no model and write it all the same.
     ("Roughness", &["lambert", "cook-torrance", "rough"]),
     ("Exponent", &["phong", "blinn", "lafortune"]),
     ("Normalisation", &["phong", "blinn"]),
@@ -37,8 +37,8 @@ pub const MATERIAL: Rule = Rule {
     state: State::Supported,
     origin: Origin::Document,
     doc: "How surfaces look [D §4.6]. Spheres, boxes and other primitives use its colours, never its textures.\n\n\
-          `Model` † says how the light of lamps is reflected; formulas and sources stand in the library's module `bsdf`. \
-          `lambert`: `DiffuseColor/π`. `oren-nayar`: rough and matt, `DiffuseColor` with `Slope` and `Form`. `phong`, `blinn`, \
+          `Model` † says how the light of light sources is reflected; formulas and sources stand in the library's module `bsdf`. \
+          `lambert`: `DiffuseColor/π` and nothing else. `oren-nayar`: rough and diffuse, `DiffuseColor` with `Slope` and `Form`. `phong`, `blinn`, \
           `lafortune`: Lambert's law, plus `SpecularColor` times a lobe of that `Exponent`. `cook-torrance`: Lambert's law, plus small \
           mirrors of slope `Roughness`, of reflectance `SpecularColor` at normal incidence (Schlick), or of index `FacetIndex` and then \
           multiplied by `SpecularColor` if that is written. `rough`: document D's mixture, `oren-nayar` of slope `Roughness` [rad] and \
@@ -82,7 +82,7 @@ pub const MATERIAL: Rule = Rule {
             Default::Numbers(&[0.0]),
             "share of SpecularColor that is mirrored",
         ),
-        choice("Model", "model", MODELS, "lambert", "how the light of lamps is reflected"),
+        choice("Model", "model", MODELS, "lambert", "how the light of light sources is reflected"),
         Param::new(
             "Exponent",
             "n",

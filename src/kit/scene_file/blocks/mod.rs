@@ -9,6 +9,7 @@ mod objects;
 mod solids;
 
 pub use material::READ_BY;
+pub use objects::TRANSFORMATIONS;
 
 use super::format::{Default, Domain, Kind, Names, Origin, Param, Role, Rule, State};
 
@@ -81,7 +82,7 @@ const WORLD: &[Rule] = &[
         origin: Origin::Document,
         doc: "The picture and its quality [D §4.3]. If there are several, the last one wins.",
         params: &[
-            color("BackgroundColor", Domain::NotNegative, ZERO, "radiance where a ray meets nothing")
+            color("BackgroundColor", Domain::NotNegative, ZERO, "radiance of a ray that hits nothing")
                 .unit("W m⁻² sr⁻¹"),
             Param::new("RenderWidth", "n", SIDE, Default::Integers(&[512]), "width of the picture")
                 .unit("pixels"),
@@ -108,7 +109,7 @@ const WORLD: &[Rule] = &[
                 "AmbientLight",
                 Domain::NotNegative,
                 ZERO,
-                "radiance that matt surfaces see from everywhere",
+                "radiance that diffuse surfaces receive from everywhere",
             )
             .unit("W m⁻² sr⁻¹")
             .extension(),
@@ -122,7 +123,7 @@ const WORLD: &[Rule] = &[
         doc: "Where the picture is seen from [D §4.4]. If there are several, the last one wins.",
         params: &[
             point("POV", &[0.0, 1.0, 1.0], "where the camera stands"),
-            point("POI", ZERO, "where it looks"),
+            point("POI", ZERO, "the point at the middle of the picture"),
             Param::new(
                 "FOV",
                 "angle",

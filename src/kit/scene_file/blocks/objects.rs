@@ -31,6 +31,9 @@ const SCALE: Param = Param::new(
 )
 .repeatable();
 
+/// What moves, turns and stretches.
+pub const TRANSFORMATIONS: &[Param] = &[TRANSLATION, ROTATION, SCALE];
+
 pub(super) const MOVED: Param = TRANSLATION.extension();
 pub(super) const TURNED: Param = ROTATION.extension();
 pub(super) const STRETCHED: Param = SCALE.extension();
@@ -39,7 +42,7 @@ const SIDES: Param = Param::new(
     "side",
     Kind::Choice(&["both", "front"]),
     Default::Word("both"),
-    "from where rays meet it: from both sides, or only from the side its normal points to",
+    "from which sides rays hit it: from both, or only from the side its normal points to",
 );
 
 const UP: &[f64] = &[0.0, 1.0, 0.0];
@@ -92,8 +95,7 @@ pub const OBJECTS: &[Rule] = &[
     documented(
         "Box",
         State::Supported,
-        "The cube of edge 1 about the origin, transformed [D §4.7.2]: any number of transformations, \
-         applied in the order in which they are written.",
+        "The cube of edge 1 about the origin, transformed [D §4.7.2].",
         &[MATERIAL, TRANSLATION, ROTATION, SCALE],
     ),
     documented(
@@ -264,8 +266,8 @@ pub const OBJECTS: &[Rule] = &[
             coefficient("H", "of z²"),
             coefficient("I", "half that of z"),
             coefficient("J", "constant"),
-            clip("ClipMin", "lowest corner of the clip box; none: endless that way"),
-            clip("ClipMax", "highest corner of the clip box; none: endless that way"),
+            clip("ClipMin", "lowest corner of the clip box; none: unbounded that way"),
+            clip("ClipMax", "highest corner of the clip box; none: unbounded that way"),
             MOVED,
             TURNED,
             STRETCHED,
@@ -295,8 +297,8 @@ pub const OBJECTS: &[Rule] = &[
         State::Supported,
         "Solids combined by union, intersection and difference [D §4.8]: from a `.csg` file, or † written inside it, as \
          `CSG { Material m  Difference { Box { } Sphere { Material n } } }`. Solids inside that name no material have \
-         that of what holds them. Solids are `Sphere`, `Box`, `Cylinder`, `Cone`, `Ellipsoid`, `Torus`, `Quadric` without clip \
-         box, and `Plane`, which is everything behind it.",
+         that of what holds them. Solids are `Sphere`, `Box`, `Cylinder`, `Cone`, `Ellipsoid`, `Torus`, `Julia`, `Menger`, a \
+         closed `Mesh`, `Quadric` without clip box, and `Plane`, which is everything behind it.",
         &[
             MATERIAL,
             Param::new("Source", "\"file\"", Kind::Text, Default::Absent, "the `.csg` file, beside this one"),
@@ -308,7 +310,7 @@ pub const OBJECTS: &[Rule] = &[
     documented(
         "Mesh",
         State::Supported,
-        "Polygons from an OBJ file, transformed in written order [D §4.9]. Without `Material` † its faces are made of the \
+        "Polygons from an OBJ file [D §4.9]. Without `Material` † its faces are made of the \
          materials of the file's own libraries. A closed mesh is a solid: it may stand in a `CSG` †.",
         &[
             Param::new(

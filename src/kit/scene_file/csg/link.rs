@@ -60,7 +60,8 @@ impl Links {
         }
         let mut seen = vec![Seen::Never; blocks.len()];
         let mut found = 0;
-        for start in 0..blocks.len() {
+        // Begun where the outline begins, so that both say of the same node that it holds itself.
+        for start in self.tops.iter().copied().chain(0..blocks.len()) {
             let mut way: Vec<(usize, usize)> = Vec::new(); // a node, and how many operands are done
             if seen[start] == Seen::Never {
                 way.push((start, 0));
@@ -79,7 +80,10 @@ impl Links {
                         seen[child] = Seen::OnTheWay;
                         way.push((child, 0));
                     }
-                    Some((child, Seen::OnTheWay)) => {
+                    // An operation that names it twice is one mistake.
+                    Some((child, Seen::OnTheWay))
+                        if !self.operands[node][..*done - 1].contains(&Some(child)) =>
+                    {
                         found += 1;
                         let from = way.iter().position(|w| w.0 == child).unwrap_or(0);
                         let circle: Vec<_> = way[from..].iter().map(|w| title(blocks, w.0)).collect();

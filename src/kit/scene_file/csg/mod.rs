@@ -13,7 +13,7 @@ mod link;
 mod outline;
 mod write;
 
-pub use write::{NotWritten, write};
+pub use write::{NotWritten, write, write_moved};
 
 use super::declared;
 use super::diagnostic::{Diagnostic, Diagnostics};
@@ -23,7 +23,7 @@ use super::source::{self, ReadError};
 use super::token;
 use crate::csg::Operation;
 use link::Links;
-use std::path::Path;
+use std::path::{Component, Path, PathBuf};
 
 /// Most solids of a tree, a node that is named twice counted twice.
 pub const MOST_SOLIDS: usize = 65_536;
@@ -66,17 +66,23 @@ pub fn read_file(path: &Path) -> Result<CsgFile, ReadError> {
     Ok(read(&source::text(path, source::LARGEST_FILE)?, &path.display().to_string()))
 }
 
-/// The text of a `.csg` file for each `CSG` of a scene, in the scene's order; `name` is what messages call the scene.
+/// The text of a `.csg` file for each `CSG` of a scene, in the scene's order; `name` is what messages call the scene, and the
+/// files are to stand in the folder `into`, from which they name others.
 ///
 /// - Errors: everything that is wrong with the scene; a `CSG` that has no such file, at its place.
-pub fn of_scene(source: &str, name: &str) -> Result<Vec<String>, Diagnostics> {
+pub fn of_scene(source: &str, name: &str, into: &Path) -> Result<Vec<String>, Diagnostics> {
     let scene = super::read(source, name)?;
     let parsed = parse::parse(source, &token::tokens(source, &mut Vec::new()), &mut Vec::new());
+    let folder = Path::new(name).parent().unwrap_or(Path::new(""));
+    let renamed = |path: &str| path_from(into, folder, path);
     let mut log = Vec::new();
     let mut texts = Vec::new();
     for block in parsed.blocks.iter().filter(|b| b.rule.name == "CSG") {
-        match write(block) {
-            Ok(text) => texts.push(text),
+        match write_moved(block, &renamed) {
+            Ok(text) => {
+                log.extend(not_read(&text, block));
+                texts.push(text);
+            }
             Err(why) => log.push(Diagnostic::error(why.at(), why.to_string())),
         }
     }
@@ -87,12 +93,43 @@ pub fn of_scene(source: &str, name: &str) -> Result<Vec<String>, Diagnostics> {
     if log.is_empty() { Ok(texts) } else { Err(Diagnostics::new(name, source, log)) }
 }
 
+/// Why a text that was written would be refused when it is read: more solids, or deeper, than such a file may hold.
+fn not_read(text: &str, block: &Block) -> Option<Diagnostic> {
+    let back = read(text, "");
+    let error = back.remarks.errors().next()?;
+    let message = format!("this `CSG` cannot be a file of its own: {}", error.message);
+    let d = Diagnostic::error(block.keyword.clone(), message);
+    Some(Diagnostic { expected: error.expected.clone(), found: error.found.clone(), ..d })
+}
+
+/// The path of a file as seen from a folder: `../parts/a.obj`; as it is where it is absolute, or where nothing is known of
+/// the current folder.
+fn path_from(into: &Path, folder: &Path, named: &str) -> String {
+    if Path::new(named).is_absolute() {
+        return named.to_owned();
+    }
+    let (Some(from), Some(to)) = (resolved(into), resolved(&folder.join(named))) else {
+        return named.to_owned();
+    };
+    let shared = from.components().zip(to.components()).take_while(|(a, b)| a == b).count();
+    let up = from.components().skip(shared).map(|_| Component::ParentDir);
+    let steps = up.chain(to.components().skip(shared));
+    steps.map(|step| step.as_os_str().to_string_lossy().into_owned()).collect::<Vec<_>>().join("/")
+}
+
+/// The absolute path of what need not exist yet, without links as far as it does.
+fn resolved(path: &Path) -> Option<PathBuf> {
+    let path = std::path::absolute(path).ok()?;
+    let existing = path.ancestors().find(|a| a.exists())?;
+    Some(existing.canonicalize().ok()?.join(path.strip_prefix(existing).ok()?))
+}
+
 /// [`of_scene`] of a file; messages call it by its path as given.
 ///
 /// - Errors: as there; a file that cannot be read.
-pub fn of_scene_file(path: &Path) -> Result<Vec<String>, ReadError> {
+pub fn of_scene_file(path: &Path, into: &Path) -> Result<Vec<String>, ReadError> {
     let text = source::text(path, source::LARGEST_FILE)?;
-    of_scene(&text, &path.display().to_string()).map_err(ReadError::Wrong)
+    of_scene(&text, &path.display().to_string(), into).map_err(ReadError::Wrong)
 }
 
 /// A block that has no place in such a file.

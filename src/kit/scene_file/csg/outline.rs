@@ -11,7 +11,8 @@ impl CsgFile {
     /// Every node under what holds it, also of files that are wrong: `Sphere 0`, `(missing)`, `Union 1 (holds itself)`.
     pub fn outline(&self) -> String {
         let (mut lines, mut shown) = (Vec::new(), vec![false; self.blocks.len()]);
-        let rest = 0..self.blocks.len(); // what goes in circles hangs on no top
+        // What goes in circles hangs on no top; every solid hangs on a top or on a circle, or is a top.
+        let rest = (0..self.blocks.len()).filter(|&i| operation(&self.blocks[i]).is_some());
         for node in self.links.tops.iter().copied().chain(rest) {
             if !shown[node] {
                 self.add(Some(node), String::new(), "", &mut Vec::new(), &mut lines);
@@ -52,7 +53,7 @@ impl CsgFile {
             return out.push(format!("{indent}{branch}{name} (holds itself)"));
         }
         let is_operation = operation(&self.blocks[node]).is_some();
-        let alone = branch.is_empty() && self.links.root != Some(node);
+        let alone = branch.is_empty() && self.links.root != Some(node); // a top, as said above
         let remark = if alone && !is_operation { " (not used)" } else { "" };
         out.push(format!("{indent}{branch}{name}{remark}"));
         if !is_operation {

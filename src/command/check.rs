@@ -1,7 +1,8 @@
 //! `lightbench check`: is this scene file right, and what is in it?
 
-use crate::light::Light;
-use crate::scene_file::{Color, SceneFile, csg, read_file};
+use super::target;
+use lightbench::light::Light;
+use lightbench_kit::scene_file::{Color, SceneFile, csg, read_file};
 use std::path::Path;
 
 /// What there is to say about a scene file.
@@ -17,6 +18,9 @@ pub struct CheckReport {
 pub fn check(path: &Path, color: Color) -> CheckReport {
     if path.extension().is_some_and(|e| e == "csg") {
         return check_csg(path, color);
+    }
+    if let Err(failure) = target::scene(path) {
+        return CheckReport { text: failure.message + "\n", problems: 1 };
     }
     match read_file(path) {
         Ok(file) => {
@@ -54,8 +58,9 @@ fn check_csg(path: &Path, color: Color) -> CheckReport {
 fn summary(name: &str, file: &SceneFile) -> String {
     let (scene, settings) = (&file.scene, &file.settings);
     let areas = scene.lights.iter().filter(|l| matches!(l, Light::Area(_))).count();
+    let diffuse = scene.materials.iter().filter(|m| m.model.is_none()).count();
     format!(
-        "{name}: right\n  {}, {}, {} ({} without size, {areas} with area)\n  {} × {} pixels, {} each; \
+        "{name}: right\n  {}, {} ({diffuse} with `Model lambert`), {} ({} without size, {areas} with area)\n  {} × {} pixels, {} each; \
          local illumination shoots up to {} per pixel\n",
         counted(scene.objects.len(), "object"),
         counted(scene.materials.len(), "material"),
@@ -68,6 +73,7 @@ fn summary(name: &str, file: &SceneFile) -> String {
     )
 }
 
-fn counted(n: usize, what: &str) -> String {
+/// `1 object`, `2 objects`.
+pub(super) fn counted(n: usize, what: &str) -> String {
     format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }

@@ -1,4 +1,8 @@
-//! The only list of lessons.
+//! The only list of lessons, and what each leaves behind when it has run.
+
+mod record;
+
+pub use record::{ClaimRecord, FigureRecord, LessonRecord};
 
 /// A lesson's place in the course.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +32,7 @@ pub const SYLLABUS: &[Entry] = &[
     Entry {
         number: 2,
         name: "sphere",
-        question: "Which of three ways to meet a sphere survives distance, and what does it cost?",
+        question: "Which of three formulas for a ray and a sphere survives distance, and what does it cost?",
         chapter: "Seeing",
         introduces: &["shape::sphere", "shape"],
         builds_on: &[(1, "a pixel becomes a ray")],
@@ -100,7 +104,7 @@ pub const SYLLABUS: &[Entry] = &[
     Entry {
         number: 10,
         name: "csg",
-        question: "How do spans along a ray make solids out of solids, and when do the documents' rules break?",
+        question: "How does a ray find its way through solids made of solids, and which rules break?",
         chapter: "Surfaces",
         introduces: &["csg", "shape::cylinder"],
         builds_on: &[(3, "a scene, a light, a picture"), (4, "rays along faces"), (7, "a shape under a map")],
