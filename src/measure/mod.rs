@@ -14,7 +14,7 @@ mod tolerance;
 mod trend;
 
 pub use clock::{time, time_each, timed};
-pub use ratio::Ratio;
+pub use ratio::{Interleaved, ROUNDS, Ratio, interleaved};
 pub use record::{counts_csv, times_csv};
 pub use spread::Spread;
 pub use tally::Tally;
@@ -155,6 +155,14 @@ impl Series {
     /// One point for each value of the parameter.
     pub fn over(parameters: &[f64], point: impl FnMut(f64) -> Point) -> Self {
         Series { points: parameters.iter().copied().map(point).collect() }
+    }
+    /// The point at exactly this value of the parameter.
+    pub fn at(&self, parameter: f64) -> Option<&Point> {
+        self.points.iter().find(|p| p.parameter == parameter)
+    }
+    /// The points from `low` to `high` of the parameter, both included.
+    pub fn between(&self, low: f64, high: f64) -> Series {
+        Series::new(self.points.iter().filter(|p| (low..=high).contains(&p.parameter)).cloned().collect())
     }
     /// The failures of all points together.
     pub fn failures(&self) -> Failures {

@@ -1,11 +1,13 @@
 //! Laws of measuring: quartiles, roots of mean squares, slopes, fronts, tolerances, CSV.
 
 use lightbench::measure::{
-    Failures, Method, Point, Run, Series, Spread, Tally, Z, agrees, counts_csv, log_slope, log_spaced,
-    pareto, promised, quantised, rounding, statistical, sweep, time, time_each, times_csv, truncation,
+    Failures, Method, Point, ROUNDS, Ratio, Run, Series, Spread, Tally, Z, agrees, counts_csv, interleaved,
+    log_slope, log_spaced, pareto, promised, quantised, rounding, statistical, sweep, time, time_each,
+    times_csv, truncation,
 };
 use lightbench::num::{U, gamma};
 use proptest::prelude::*;
+use std::cmp::Ordering::{Greater, Less};
 
 fn config() -> ProptestConfig {
     ProptestConfig { failure_persistence: None, cases: 256, ..ProptestConfig::default() }
@@ -190,14 +192,68 @@ fn counts_and_times_stay_in_files_of_their_own() {
     assert_eq!(row.iter().skip(7).collect::<Vec<_>>(), ["4", "2", "1", "9"]);
 }
 
-/// Pairs of times that a machine measured, one of them disturbed: the quartiles leave the disturbed one out.
+/// Pairs of times that a machine measured, some of them disturbed: the quartiles leave the disturbed ones out.
 #[test]
 fn a_ratio_of_interleaved_times_has_its_quartiles_and_words() {
-    let pairs = [(2.0, 1.0), (3.0, 1.0), (2.5, 1.0), (90.0, 1.0), (2.5, 1.0)];
-    let ratio = lightbench::measure::Ratio::of_pairs(&pairs).expect("pairs");
-    assert_eq!((ratio.0.low, ratio.0.mid, ratio.0.high), (2.5, 2.5, 3.0));
+    let of = |quotients: &[f64], times: usize| {
+        let pairs: Vec<(f64, f64)> = quotients.iter().map(|q| (q * 0.25, 0.25)).collect();
+        Ratio::of_pairs(&pairs.repeat(times)).expect("pairs")
+    };
+    let ratio = of(&[2.0, 3.0, 2.5, 90.0, 2.5], 4);
+    assert_eq!((ratio.0.low, ratio.0.mid, ratio.0.high, ratio.0.runs), (2.5, 2.5, 3.0, 20));
     assert_eq!(ratio.to_string(), "2.5 to 3.0 times");
+    assert_eq!(ratio.times_or_busy(), "2.5 to 3.0 times");
+    assert_eq!([1.0, 2.7, 3.5].map(|x| ratio.finding(x)), [Some(Greater), None, Some(Less)]);
     assert!(ratio.tells(1.0) && !ratio.tells(2.7));
-    assert!(ratio.words(2.7).contains("too busy to tell"));
-    assert!(lightbench::measure::Ratio::of_pairs(&[(0.0, 1.0)]).is_none());
+    assert!(ratio.words(2.7).contains("too busy to tell") && !ratio.words(1.0).contains("busy"));
+    // The same quotients from 15 rounds are no finding, though their quartiles are.
+    assert_eq!(of(&[2.0, 3.0, 2.5, 90.0, 2.5], 3).finding(1.0), None);
+    assert_eq!(of(&[0.9, 1.1], 20).times_or_busy(), "this machine was too busy to tell");
+    assert_eq!(of(&[0.414], 16).to_string(), "0.41 times");
+    assert_eq!(of(&[12.3, 25.4], 10).to_string(), "12 to 25 times");
+    assert!(Ratio::of_pairs(&[(0.0, 1.0), (1.0, 0.0), (f64::NAN, 1.0)]).is_none());
+}
+
+/// The chance that Ratio's words give: three quarters of the tosses of a fair coin alike.
+#[test]
+fn a_finding_between_equals_is_as_rare_as_its_words_say() {
+    let tail = |n: u32, least: u32| {
+        let term = |k: u32| (0..k).fold(1.0, |c, i| c * f64::from(n - i) / f64::from(i + 1));
+        (least..=n).map(term).sum::<f64>() / 2f64.powi(n as i32)
+    };
+    assert_eq!(ROUNDS, 41);
+    assert_eq!((1.0 / tail(41, 31)).round(), 1379.0);
+    assert_eq!((1.0 / tail(Ratio::FEWEST as u32, 12)).round(), 26.0);
+    // 31 of 41 above the threshold are a finding, 30 are none.
+    let above = |k: usize| {
+        let quotient = |i: usize| if i < k { (1.5, 1.0) } else { (0.5, 1.0) };
+        Ratio::of_pairs(&(0..41).map(quotient).collect::<Vec<_>>()).expect("pairs").finding(1.0)
+    };
+    assert_eq!((above(31), above(30)), (Some(Greater), None));
+}
+
+#[test]
+fn interleaved_works_take_turns_there_and_back() {
+    let order = std::cell::RefCell::new(Vec::new());
+    let slow = || std::thread::sleep(std::time::Duration::from_millis(1));
+    let (mut a, mut b, mut c) = (
+        || (order.borrow_mut().push('a'), slow()).1,
+        || (order.borrow_mut().push('b'), slow()).1,
+        || (order.borrow_mut().push('c'), slow()).1,
+    );
+    let times = interleaved(&mut [&mut a, &mut b, &mut c], 3);
+    // One call each to learn how long it takes, more than half a millisecond; then three rounds.
+    assert_eq!(order.borrow().iter().collect::<String>(), "abcabccbaabc");
+    assert!(times.seconds.iter().all(|s| s.len() == 3 && s.iter().all(|t| *t >= 1.0e-3)));
+    assert_eq!(times.time(2).map(|t| t.runs), Some(3));
+    assert_eq!(times.ratio(0, 1).map(|r| r.0.runs), Some(3));
+    assert_eq!(interleaved(&mut [&mut || {}], 0).time(0), None);
+}
+
+#[test]
+fn a_series_is_read_by_its_parameter() {
+    let series = Series::new([1.0, 2.0, 4.0, 8.0].map(Point::at).to_vec());
+    assert_eq!(series.at(4.0).map(|p| p.parameter), Some(4.0));
+    assert_eq!(series.at(3.0), None);
+    assert_eq!(series.between(2.0, 4.0).points.len(), 2);
 }
