@@ -4,6 +4,7 @@
 //! compiled without optimisation in development, because hardly any of it runs in a loop.
 
 pub mod compare;
+pub mod contest;
 pub mod essay;
 pub mod figure;
 pub mod file;

@@ -10,6 +10,7 @@ mod area_lights;
 mod brdf;
 mod certified;
 mod colour;
+mod contest;
 mod cove;
 mod csg;
 mod csg_files;

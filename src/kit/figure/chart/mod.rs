@@ -166,6 +166,10 @@ impl Chart {
         ordered.points.sort_by(|a, b| a.parameter.total_cmp(&b.parameter));
         self.measured(method.into(), &ordered, |line| line)
     }
+    /// All methods of a comparison.
+    pub fn lines<'a>(self, all: impl IntoIterator<Item = (&'a Method, &'a Series)>) -> Self {
+        all.into_iter().fold(self, |chart, (method, series)| chart.line(method.clone(), series))
+    }
     /// A measured method whose points follow each other in the order given, wherever that leads.
     pub fn steps(self, method: impl Into<Method>, series: &Series) -> Self {
         self.measured(method.into(), series, |line| line)
