@@ -6,12 +6,12 @@ use glam::{DVec3, dvec2, dvec3};
 use lightbench::color::Rgb;
 use lightbench::film::Image;
 use lightbench::film::metric::compare;
-use lightbench::integrator::{Integrator, Local, Stage};
+use lightbench::integrator::{Local, Stage};
 use lightbench::light::Light;
 use lightbench::measure::{Point, Tally, quantised, timed};
-use lightbench::ray::{Ray, Silent, Trace};
-use lightbench::render::{Picture, render};
-use lightbench::sample::{Pattern, Sampler};
+use lightbench::ray::{Ray, Silent};
+use lightbench::render::{Picture, render, shade};
+use lightbench::sample::Pattern;
 use lightbench::scene::{Camera, FieldOfView, Scene};
 use lightbench_kit::lesson::{LessonError, Result};
 use lightbench_kit::scene_file::{Color, read};
@@ -113,38 +113,25 @@ pub fn changes(size: f64, picture: Picture, truth: &Image) -> Result<[(f64, f64)
         (compare(&image, truth).max_error.abs(), count as f64 / image.pixels().len() as f64)
     };
     let ours = render(&scene, &Local::default(), picture).image;
-    Ok([change(ours), change(render(&scene, &NaiveBias, picture).image)])
+    Ok([change(ours), change(shade(&scene, picture, naive_bias))])
 }
 
 /// Hard shadows whose rays start a fixed distance off the surface: **wrong** in rooms of another size.
-pub struct NaiveBias;
-
-impl Integrator for NaiveBias {
-    type Scratch = ();
-    fn scratch(&self, _: &Scene) {}
-    fn radiance<T: Trace>(
-        &self,
-        scene: &Scene,
-        ray: &Ray,
-        _: &mut Sampler,
-        _: &mut (),
-        trace: &mut T,
-    ) -> Rgb {
-        let Some((object, crossing)) = scene.nearest(ray, f64::INFINITY, trace) else {
-            return scene.background;
-        };
-        let hit = scene.hit(ray, object, &crossing);
-        let origin = hit.point + hit.ng * BIAS;
-        let Some(Light::Point(light)) = scene.lights.first() else { return Rgb::ZERO };
-        let to = light.position - origin;
-        if scene.blocker(&Ray::new(origin, to), 1.0, trace).is_some() {
-            return Rgb::ZERO;
-        }
-        scene.materials[scene.objects[object].material(hit.part)].diffuse
-            * light.strength
-            * FRAC_1_PI
-            * (hit.ng.dot(to) / to.length()).max(0.0)
+fn naive_bias(ray: &Ray, scene: &Scene) -> Rgb {
+    let Some((object, crossing)) = scene.nearest(ray, f64::INFINITY, &mut Silent) else {
+        return scene.background;
+    };
+    let hit = scene.hit(ray, object, &crossing);
+    let origin = hit.point + hit.ng * BIAS;
+    let Some(Light::Point(light)) = scene.lights.first() else { return Rgb::ZERO };
+    let to = light.position - origin;
+    if scene.blocker(&Ray::new(origin, to), 1.0, &mut Silent).is_some() {
+        return Rgb::ZERO;
     }
+    scene.materials[scene.objects[object].material(hit.part)].diffuse
+        * light.strength
+        * FRAC_1_PI
+        * (hit.ng.dot(to) / to.length()).max(0.0)
 }
 
 pub fn other(e: impl Display) -> LessonError {

@@ -6,10 +6,9 @@ use lightbench::bsdf::as_printed::{lambertian_as_printed, phong_as_printed};
 use lightbench::color::Rgb;
 use lightbench::film::Image;
 use lightbench::film::metric::compare;
-use lightbench::integrator::{Integrator, Local, Stage};
-use lightbench::ray::{Ray, Trace};
-use lightbench::render::{Picture, render};
-use lightbench::sample::Sampler;
+use lightbench::integrator::{Local, Stage};
+use lightbench::ray::{Ray, Silent};
+use lightbench::render::{Picture, render, shade};
 use lightbench::scene::Scene;
 use lightbench_kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades, short};
 use lightbench_kit::lesson::{Lesson, Result};
@@ -148,37 +147,24 @@ pub fn ambient(picture: Picture) -> Result<Figure> {
 }
 
 /// A's formulas of light that leaves, as printed: colour times `law(cos θ)` times the light's colour.
-struct Printed(fn(f64) -> f64);
-
-impl Integrator for Printed {
-    type Scratch = ();
-    fn scratch(&self, _: &Scene) {}
-    fn radiance<T: Trace>(
-        &self,
-        scene: &Scene,
-        ray: &Ray,
-        _: &mut Sampler,
-        _: &mut (),
-        trace: &mut T,
-    ) -> Rgb {
-        let Some((i, crossing)) = scene.nearest(ray, f64::INFINITY, trace) else {
-            return scene.background;
-        };
-        let hit = scene.hit(ray, i, &crossing);
-        let color = scene.materials[scene.objects[i].material(hit.part)].diffuse;
-        let Some(arrival) = scene.lights.first().and_then(|l| l.arriving(hit.point)) else {
-            return Rgb::ZERO;
-        };
-        let colour_of_light = arrival.irradiance / std::f64::consts::PI;
-        color * colour_of_light * (self.0)(hit.n.dot(arrival.wi))
-    }
+fn printed(law: fn(f64) -> f64, ray: &Ray, scene: &Scene) -> Rgb {
+    let Some((i, crossing)) = scene.nearest(ray, f64::INFINITY, &mut Silent) else {
+        return scene.background;
+    };
+    let hit = scene.hit(ray, i, &crossing);
+    let color = scene.materials[scene.objects[i].material(hit.part)].diffuse;
+    let Some(arrival) = scene.lights.first().and_then(|l| l.arriving(hit.point)) else {
+        return Rgb::ZERO;
+    };
+    let colour_of_light = arrival.irradiance / std::f64::consts::PI;
+    color * colour_of_light * law(hit.n.dot(arrival.wi))
 }
 
 /// (4.5), (4.6), and Lambert's law.
 pub fn laws(picture: Picture) -> Result<Figure> {
     let scene = two_spheres()?;
-    let flat = render(&scene, &Printed(|_| lambertian_as_printed(1.0)), picture).image;
-    let cosine = render(&scene, &Printed(phong_as_printed), picture).image;
+    let flat = shade(&scene, picture, |ray, scene| printed(|_| lambertian_as_printed(1.0), ray, scene));
+    let cosine = shade(&scene, picture, |ray, scene| printed(phong_as_printed, ray, scene));
     let unshadowed = Local { stage: Stage::Unshadowed, ..Local::default() };
     let lambert = render(&scene, &unshadowed, picture).image;
     let clamped = cosine.map(|p| p.max(Rgb::ZERO));

@@ -8,9 +8,9 @@ use lightbench::bsdf::{Blinn, BlinnScale, Lambert, Lobes, Model, ParameterError,
 use lightbench::color::{Rgb, luminance};
 use lightbench::film::Image;
 use lightbench::film::metric::compare;
-use lightbench::integrator::{Integrator, Local};
+use lightbench::integrator::Local;
 use lightbench::light::{Attenuation, Light, PointLight};
-use lightbench::render::{Picture, render};
+use lightbench::render::{Picture, render, shade};
 use lightbench::scene::{Object, Scene};
 use lightbench::shape::sphere::Sphere;
 use lightbench_kit::figure::{ErrorPanel, Figure, Panels, Pixels, Shades};
@@ -54,8 +54,8 @@ fn blinn(n: f64) -> Result<Model> {
     Blinn::new(n).map(|b| b.scaled(BlinnScale::OverCosine).into()).map_err(other)
 }
 
-fn shot<I: Integrator>(scene: &Scene, integrator: &I, picture: Picture) -> Image {
-    render(scene, integrator, picture).image
+fn shot(scene: &Scene, picture: Picture) -> Image {
+    render(scene, &Local::default(), picture).image
 }
 
 fn difference(a: &Image, b: &Image, name: &str, most: f64) -> ErrorPanel {
@@ -74,11 +74,8 @@ fn difference(a: &Image, b: &Image, name: &str, most: f64) -> ErrorPanel {
 pub fn save(lesson: &Lesson) -> Result {
     let samples = lesson.flags().spp.map_or(lesson.pick([1, 4, 16, 64]), u32::from);
     let picture = |(width, height): (usize, usize)| Picture { width, height, samples, seed: lesson.seed() };
-    let specular = shot(
-        &spheres(&phong(N)?)?,
-        &Local::default(),
-        picture(lesson.pick([(48, 30), (640, 400), (960, 600), (1280, 800)])),
-    );
+    let specular =
+        shot(&spheres(&phong(N)?)?, picture(lesson.pick([(48, 30), (640, 400), (960, 600), (1280, 800)])));
     lesson.save_picture(
         "specular",
         &specular,
@@ -97,8 +94,7 @@ pub fn save(lesson: &Lesson) -> Result {
 
 /// [C fig. 31], rendered.
 fn same_exponent(picture: Picture) -> Result<Figure> {
-    let take =
-        |model: Result<Model>| Ok::<_, LessonError>(shot(&spheres(&model?)?, &Local::default(), picture));
+    let take = |model: Result<Model>| Ok::<_, LessonError>(shot(&spheres(&model?)?, picture));
     let best = Match::LeastSquares.exponent(N);
     let (r, same, four) = (take(phong(N))?, take(blinn(N))?, take(blinn(best))?);
     let zoom = |share: f64| (share * picture.width as f64).round() as usize;
@@ -127,14 +123,17 @@ fn printed(picture: Picture) -> Result<Figure> {
     let (highlight, share) = (dvec3(-0.758, 1.447, 1.154), 0.42);
     let ball = Sphere::new(highlight.lerp(lamp, share), 0.2).map_err(other)?;
     scene.objects.push(Object::new("ball", Box::new(ball), 0));
-    let of = |formula| Printed { formula, shininess: N, specular: SPECULAR };
-    let right = shot(&scene, &Local::default(), picture);
-    let code = shot(&scene, &of(Formula::Code), picture);
-    let worded = shot(&scene, &of(Formula::Worded), picture);
+    let printed = |formula, scene: &Scene| {
+        let printed = Printed { formula, shininess: N, specular: SPECULAR };
+        shade(scene, picture, |ray, scene| printed.radiance(ray, scene))
+    };
+    let right = shot(&scene, picture);
+    let code = printed(Formula::Code, &scene);
+    let worded = printed(Formula::Worded, &scene);
     let mut beside = spheres(&phong(N)?)?;
     beside.lights = vec![PointLight::of_color(dvec3(1.2, 3.4, 8.0), Rgb::splat(0.95)).into()];
-    let right_beside = shot(&beside, &Local::default(), picture);
-    let worded_beside = shot(&beside, &of(Formula::Worded), picture);
+    let right_beside = shot(&beside, picture);
+    let worded_beside = printed(Formula::Worded, &beside);
     let panels = Panels::new()
         .columns(3)
         .title("As printed A's highlight shines in the shadow, in the matt colour; as worded it is nowhere, or everywhere")
@@ -169,7 +168,7 @@ fn wet_floor(picture: Picture) -> Result<Figure> {
         let mut scene = scene(STREET)?;
         let floor = &mut scene.materials[0];
         floor.model = Some(shiny(floor.diffuse, 0.9, &model?).map_err(other)?);
-        Ok::<_, LessonError>(shot(&scene, &Local::default(), picture))
+        Ok::<_, LessonError>(shot(&scene, picture))
     };
     let (r, h) = (take(phong(n))?, take(blinn(Match::LeastSquares.exponent(n)))?);
     let panels = Panels::new()
@@ -220,7 +219,7 @@ fn floors(picture: Picture) -> Result<Figure> {
         let color = Rgb::splat(1.6 / law.factor(1.0)); // the same at 1 m
         scene.lights =
             vec![Light::from(PointLight::of_color(dvec3(0.0, 0.7, 0.1), color).with_attenuation(*law))];
-        panels = panels.picture(Pixels::from(&shot(&scene, &Local::default(), picture)), name);
+        panels = panels.picture(Pixels::from(&shot(&scene, picture)), name);
     }
     let panels = panels.alt("Six pictures of a floor with five balls in a row, lit from a lamp at the left: evenly, and falling off at different rates.");
     Ok(Figure::from(panels).caption(

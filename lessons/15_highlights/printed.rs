@@ -7,10 +7,8 @@ use lightbench::bsdf::as_printed::{
 use lightbench::bsdf::highlight::power;
 use lightbench::bsdf::{Directions, Geometry};
 use lightbench::color::Rgb;
-use lightbench::integrator::Integrator;
 use lightbench::light::Attenuation;
-use lightbench::ray::{Ray, Trace};
-use lightbench::sample::Sampler;
+use lightbench::ray::{Ray, Silent};
 use lightbench::scene::{Met, Scene};
 use lightbench_kit::figure::{Figure, Table, short};
 use std::f64::consts::FRAC_1_PI;
@@ -31,20 +29,12 @@ pub struct Printed {
     pub specular: f64,
 }
 
-impl Integrator for Printed {
-    type Scratch = ();
-
-    fn scratch(&self, _: &Scene) {}
-
-    fn radiance<T: Trace>(
-        &self,
-        scene: &Scene,
-        ray: &Ray,
-        _: &mut Sampler,
-        _: &mut (),
-        trace: &mut T,
-    ) -> Rgb {
-        let Some(Met::Object(i, crossing)) = scene.first_met(ray, trace) else { return scene.background };
+impl Printed {
+    /// Radiance that a camera ray brings.
+    pub fn radiance(&self, ray: &Ray, scene: &Scene) -> Rgb {
+        let Some(Met::Object(i, crossing)) = scene.first_met(ray, &mut Silent) else {
+            return scene.background;
+        };
         let (hit, object) = (scene.hit(ray, i, &crossing), &scene.objects[i]);
         let material = &scene.materials[object.material(hit.part)];
         let v = -ray.direction.normalize();
@@ -54,7 +44,7 @@ impl Integrator for Printed {
         let mut sum = Rgb::ZERO;
         for arrival in scene.lights.iter().filter_map(|light| light.arriving(origin)) {
             let cos = n.dot(arrival.wi).max(0.0);
-            let hidden = scene.blocker(&Ray::new(origin, arrival.to), arrival.t_max, trace).is_some();
+            let hidden = scene.blocker(&Ray::new(origin, arrival.to), arrival.t_max, &mut Silent).is_some();
             let arrives = if hidden { Rgb::ZERO } else { arrival.irradiance * FRAC_1_PI };
             let highlight = match self.formula {
                 Formula::Worded => 0.0,

@@ -4,14 +4,13 @@ use super::stage::{OMNI, omni, other, parallel, sphere_on_floor};
 use glam::{DVec3, Vec3, dvec3};
 use lightbench::color::Rgb;
 use lightbench::film::Image;
-use lightbench::integrator::{Integrator, Local};
+use lightbench::integrator::Local;
 use lightbench::light::Light;
 use lightbench::light::as_printed::{LAMBDA, attenuation_as_printed, hides_as_printed};
 use lightbench::light::{Attenuation, PointLight};
 use lightbench::measure::{Method, Point, Series, Spread};
-use lightbench::ray::{Ray, Silent, Trace};
-use lightbench::render::{Picture, render};
-use lightbench::sample::Sampler;
+use lightbench::ray::{Ray, Silent};
+use lightbench::render::{Picture, render, shade};
 use lightbench::scene::Scene;
 use lightbench::shape::Shape;
 use lightbench::shape::sphere::Sphere;
@@ -29,18 +28,9 @@ struct Naive {
     single: bool,
 }
 
-impl Integrator for Naive {
-    type Scratch = ();
-    fn scratch(&self, _: &Scene) {}
-    fn radiance<T: Trace>(
-        &self,
-        scene: &Scene,
-        ray: &Ray,
-        _: &mut Sampler,
-        _: &mut (),
-        trace: &mut T,
-    ) -> Rgb {
-        let Some((object, crossing)) = scene.nearest(ray, f64::INFINITY, trace) else {
+impl Naive {
+    fn radiance(&self, ray: &Ray, scene: &Scene) -> Rgb {
+        let Some((object, crossing)) = scene.nearest(ray, f64::INFINITY, &mut Silent) else {
             return scene.background;
         };
         let hit = scene.hit(ray, object, &crossing);
@@ -56,7 +46,7 @@ impl Integrator for Naive {
         };
         let material = &scene.materials[scene.objects[object].material(hit.part)];
         let cos = hit.ng.dot(wi);
-        let lit = cos > 0.0 && scene.blocker(&Ray::new(origin, to), 1.0, trace).is_none();
+        let lit = cos > 0.0 && scene.blocker(&Ray::new(origin, to), 1.0, &mut Silent).is_none();
         let direct = if lit { cos } else { 0.0 };
         material.diffuse * (scene.ambient + Rgb::splat(direct))
     }
@@ -82,8 +72,9 @@ pub fn far(picture: Picture, exponents: &[f64]) -> Result<Far> {
     for k in exponents {
         let place = wi * 10f64.powf(*k);
         let scene = sphere_on_floor(vec![omni(place, 1.0)])?;
-        let [wide, single] =
-            [false, true].map(|single| render(&scene, &Naive { place, single }, picture).image);
+        let [wide, single] = [false, true]
+            .map(|single| Naive { place, single })
+            .map(|n| shade(&scene, picture, |r, s| n.radiance(r, s)));
         let ours = render(&scene, &Local::default(), picture).image;
         for (errors, image) in errors.iter_mut().zip([ours, wide, single]) {
             errors.push(difference(&image, &truth));

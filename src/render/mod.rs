@@ -4,8 +4,10 @@
 //! picture is the same byte for byte whatever the number of threads and their order.
 
 mod replay;
+mod shade;
 
 pub use replay::{Recorder, Traced};
+pub use shade::shade;
 
 use crate::color::Rgb;
 use crate::film::Image;

@@ -18,17 +18,19 @@ mod lights;
 pub mod material;
 mod size;
 
+pub use crate::render::shade;
 pub use material::colour;
 pub use size::RenderSize;
 
 use crate::color::Rgb;
 use crate::film::{Image, tone};
+use crate::ray::Ray;
 use crate::render::render_local;
 use crate::scene::{Camera, FieldOfView, Material, Object, Scene};
 use crate::shape::Shape;
 use crate::shape::cove::Cove;
 use glam::DVec3;
-use lightbench::integrator::{Integrator, Local};
+use lightbench::integrator::Local;
 use std::sync::Arc;
 
 /// Radiance of the brightest diffuse surface.
@@ -150,9 +152,9 @@ impl Stage {
         render_local(&self.scene(size), &Local::default(), size.picture()).image
     }
 
-    /// The same picture by another integrator.
-    pub fn render_by<I: Integrator>(&self, integrator: &I, size: &RenderSize) -> Image {
-        developed(&crate::render::render(&self.scene(size), integrator, size.picture()).image)
+    /// The same picture, each camera ray bringing what the closure says; see [`shade`].
+    pub fn shade(&self, size: &RenderSize, radiance: impl Fn(&Ray, &Scene) -> Rgb + Sync) -> Image {
+        developed(&shade(&self.scene(size), size.picture(), radiance))
     }
 
     /// Right, up, and from the subject towards the camera's side, level.
