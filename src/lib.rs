@@ -19,7 +19,7 @@
 //! | 8 | [`integrator`] | each turns a ray into radiance |
 //! | 9 | [`render`] | the tile loop: threads, progress, interruption |
 //! | 10 | `figure`*, `flags`*, `progress`* | charts, diagrams, panels; the flags of every program; the bar on stderr |
-//! | 11 | `compare`*, `essay`*, `probe`*, `replay`*, `syllabus`* | two pictures in numbers; a lesson's text; one function on each row of a table; the rays of one pixel; the list of lessons |
+//! | 11 | `compare`*, `essay`*, `probe`*, `replay`*, `stage`*, `syllabus`* | two pictures in numbers; a lesson's text; one function on each row of a table; the rays of one pixel; the house stage of the lessons' pictures; the list of lessons |
 //! | 12 | `page`* | the pages that students read |
 //! | 13 | `lesson`* | the harness of lessons |
 //! | 14 | `command` | the verbs of the `lightbench` command |

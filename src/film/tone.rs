@@ -72,6 +72,25 @@ pub fn filmic(x: f64) -> f64 {
     if f > 1.0 { 1.0 } else { f }
 }
 
+/// Where [`shoulder`] begins to bend.
+pub const KNEE: f64 = 0.7;
+
+/// The shoulder: a linear channel to [0,1), unchanged up to [`KNEE`], then bent so that highlights roll off.
+///
+/// ```text
+/// f(x) = x,                                        x ≤ k = 0.7
+/// f(x) = k + (1 − k)(1 − exp(−(x − k)/(1 − k))),    x > k
+/// ```
+///
+/// Slope 1 on both sides of the knee, so that no edge is drawn there; what lies below keeps its ratios and hues.
+///
+/// - Domain: all numbers. `f ≤ 0` for `x ≤ 0`; `f(0.8) = 0.785`, `f(1) = 0.890`, `f(2) = 0.996`; `f(+∞) = 1`.
+/// - Accuracy: `num::gamma(4)`, relative to 1: the exponential is at most 1 and damps its argument's error.
+/// - NaN in, NaN out.
+pub fn shoulder(x: f64) -> f64 {
+    if x > KNEE { KNEE - (1.0 - KNEE) * (-(x - KNEE) / (1.0 - KNEE)).exp_m1() } else { x }
+}
+
 /// Division of each channel by its own maximum, as [C §1.8.2 D] prints it: **wrong**, because the
 /// three divisors differ and shift every hue; a grey object under a red lamp turns out grey.
 /// A channel without positive values stays as it is.

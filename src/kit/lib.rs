@@ -14,6 +14,7 @@ pub mod probe;
 pub mod progress;
 pub mod replay;
 pub mod scene_file;
+pub mod stage;
 pub mod syllabus;
 
 // So that a module of the mathematics is `crate::shape` here as it is there.

@@ -3,7 +3,7 @@
 use super::{Attenuation, Emitter, LightError, Rectangle};
 use crate::color::Rgb;
 use crate::ray::Ray;
-use crate::sample::{Cell, Cells, Pattern, PointSet, Sampler};
+use crate::sample::{Cell, Cells, Pattern, Sampler, ScrambledSobol, r2};
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 
@@ -118,18 +118,21 @@ impl AreaLight {
 
     /// The points of the square for one place; random ones take their numbers from `sampler`. `cells` are the
     /// [`AreaLight::jittered_cells`], made once.
+    ///
+    /// Sequences go on from one camera ray of a pixel to the next: their points are even over the whole pixel.
     pub fn squares(&self, cells: &[Cell], sampler: &mut Sampler) -> impl Iterator<Item = DVec2> {
         let n = self.samples();
-        let set = match self.pattern {
-            Pattern::Sobol => Some(PointSet::Sobol { n, seed: sampler.next_bits() }),
-            Pattern::R2 => Some(PointSet::R2 { n, seed: sampler.next_bits() }),
-            _ => None,
+        let (seed, sample) = match self.pattern {
+            Pattern::Sobol | Pattern::R2 => sampler.next_sequence(),
+            _ => (0, 0),
         };
-        (0..n).map(move |i| match (self.pattern, &set) {
-            (_, Some(set)) => set.point(i),
-            (Pattern::Centres, _) => self.cells.cell(i).center(),
-            (Pattern::Jittered, _) => cells[i as usize].at(sampler.next_2d()),
-            _ => sampler.next_2d(),
+        let (first, sobol) = (sample.wrapping_mul(n), ScrambledSobol::new(seed));
+        (0..n).map(move |i| match self.pattern {
+            Pattern::Sobol => sobol.point(first.wrapping_add(i)),
+            Pattern::R2 => r2(seed, first.wrapping_add(i)),
+            Pattern::Centres => self.cells.cell(i).center(),
+            Pattern::Jittered => cells[i as usize].at(sampler.next_2d()),
+            Pattern::Random => sampler.next_2d(),
         })
     }
 

@@ -9,7 +9,7 @@ pub use replay::{Recorder, Traced};
 
 use crate::color::Rgb;
 use crate::film::Image;
-use crate::integrator::Integrator;
+use crate::integrator::{Integrator, Local};
 use crate::ray::{Ray, Silent, Tally, Trace};
 use crate::sample::Sampler;
 use crate::scene::{Scene, View};
@@ -82,6 +82,11 @@ pub fn render<I: Integrator>(scene: &Scene, integrator: &I, picture: Picture) ->
         Ok(rendered) => rendered,
         Err(_) => unreachable!("the global thread pool needs no starting, and nobody interrupts"),
     }
+}
+
+/// [`render`] by local illumination, compiled in this crate: one that is compiled without optimisation calls it at full speed.
+pub fn render_local(scene: &Scene, local: &Local, picture: Picture) -> Rendered {
+    render(scene, local, picture)
 }
 
 /// Renders a picture under control.

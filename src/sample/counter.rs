@@ -164,6 +164,17 @@ impl Sampler {
         b
     }
 
+    /// The seed of a sequence that all samples of this pixel read on, and how many of them came before this one.
+    ///
+    /// Sample `s` takes the points from `s n` to `(s + 1) n` of a sequence, so that the points of a whole pixel are as even
+    /// as those of one sample. For sample 0 the seed is [`Sampler::next_bits`].
+    #[inline]
+    pub fn next_sequence(&mut self) -> (u64, u32) {
+        let seed = bits(self.seed, self.index, 0, self.dimension);
+        self.dimension = self.dimension.wrapping_add(1);
+        (seed, self.sample)
+    }
+
     /// Passes over `dimensions` numbers, at no cost.
     ///
     /// A branch of a path that may consume any number up to `k` should advance by `k` in all, so that

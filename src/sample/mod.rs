@@ -24,7 +24,7 @@ pub use cells::{Cell, Cells};
 pub use counter::{Sampler, bits, philox4x32, point2, uniform, unit_from_bits};
 pub use permutation::Permutation;
 pub use point_set::{Pattern, PointSet};
-pub use sequence::{r2, sobol, sobol_scrambled};
+pub use sequence::{ScrambledSobol, r2, sobol, sobol_scrambled};
 pub use warp::*;
 
 /// The largest number a generator hands out, `1 − 2⁻⁵³`: the neighbour of 1 from below.

@@ -46,14 +46,35 @@ pub fn sobol(i: u32) -> UVec2 {
 ///   is Vegdahl's (2021) improvement of Laine & Karras (2011).
 #[inline]
 pub fn sobol_scrambled(seed: u64, i: u32) -> DVec2 {
-    let [a, b] = block(seed, 0, 0, Purpose::Sequence, 0);
-    let (order, key_x, key_y, rest) = (a as u32, (a >> 32) as u32, b as u32, (b >> 32) as u32);
-    let p = sobol(scramble(i, order));
-    let finish = |x: u32, key: u32| {
-        let x = scramble(x, key);
-        (u64::from(x) << 21 | u64::from(mix(x ^ key ^ rest) >> 11)) as f64 * U
-    };
-    DVec2::new(finish(p.x, key_x), finish(p.y, key_y))
+    ScrambledSobol::new(seed).point(i)
+}
+
+/// The sequence of [`sobol_scrambled`] for one seed, its keys made once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ScrambledSobol {
+    order: u32,
+    key_x: u32,
+    key_y: u32,
+    rest: u32,
+}
+
+impl ScrambledSobol {
+    #[inline]
+    pub fn new(seed: u64) -> Self {
+        let [a, b] = block(seed, 0, 0, Purpose::Sequence, 0);
+        ScrambledSobol { order: a as u32, key_x: (a >> 32) as u32, key_y: b as u32, rest: (b >> 32) as u32 }
+    }
+
+    /// The `i`-th point, in [0,1)².
+    #[inline]
+    pub fn point(&self, i: u32) -> DVec2 {
+        let p = sobol(scramble(i, self.order));
+        let finish = |x: u32, key: u32| {
+            let x = scramble(x, key);
+            (u64::from(x) << 21 | u64::from(mix(x ^ key ^ self.rest) >> 11)) as f64 * U
+        };
+        DVec2::new(finish(p.x, self.key_x), finish(p.y, self.key_y))
+    }
 }
 
 /// Flips each bit by a function of the higher ones: a nested uniform scramble in base 2.

@@ -1,6 +1,7 @@
 //! Surfaces: where a ray meets them, and what is there. One file per surface.
 
 pub mod cone;
+pub mod cove;
 pub mod cuboid;
 pub mod cylinder;
 pub mod disc;
