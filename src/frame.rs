@@ -118,7 +118,7 @@ pub fn frisvad<R: Real>([x, y, z]: Triple<R>) -> (Triple<R>, Triple<R>) {
     ([one - x * x * a, b, -x], [b, one - y * y * a, -y])
 }
 
-/// The matrix that turns by `angle` [rad] counter-clockwise about `axis` (any length but 0).
+/// The matrix that turns by `angle` \[rad\] counter-clockwise about `axis` (any length but 0).
 ///
 /// ```text
 /// M = cos θ I + sin θ [a]ₓ + (1 − cos θ) a aᵀ,    1 − cos θ = 2 sin²(θ/2)

@@ -16,7 +16,7 @@
 //! Source: Born & Wolf, *Principles of Optics* (1999) §1.5.2, §14.2; [B §7.5.3], whose formula for s-polarised
 //! light is that for p (see the errata).
 
-/// Reflectances of light polarised across and along the plane of incidence, each in [0,1].
+/// Reflectances of light polarised across and along the plane of incidence, each in `[0,1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polarised {
     /// Electric field across the plane of incidence (senkrecht).
@@ -135,7 +135,7 @@ pub fn normal_incidence(ior_i: f64, ior_t: f64) -> f64 {
 
 /// Schlick's approximation, `F ≈ F₀ + (1 − F₀)(1 − cos θ)⁵`.
 ///
-/// - Domain: `f0` in [0,1]; `versine = 1 − cos θ` in [0,1], of the *larger* of the two angles: where light
+/// - Domain: `f0` in `[0,1]`; `versine = 1 − cos θ` in `[0,1]`, of the *larger* of the two angles: where light
 ///   leaves the denser side that is the transmitted one ([`schlick_between`] sees to it).
 /// - Accuracy: within 0.036 of the exact value from air to glass (1.5); worse as the index grows.
 /// - Source: Schlick, *An Inexpensive BRDF Model for Physically-Based Rendering* (1994), (15).

@@ -20,7 +20,9 @@ const HUES: [Hue; 5] = [Hue::Vermillion, Hue::Blue, Hue::Green, Hue::Orange, Hue
 pub fn table() -> Table {
     let mut table = Table::new(&["operation", "operand 1", "operand 2", "composition", "who decides"])
         .title("Inside or outside: who decides")
-        .subtitle("After Sancho, illustration 61. Where one operand decides alone, a ray can skip the other.");
+        .subtitle(
+            "After Sancho, illustration 61. Where one operand decides alone, a ray can skip the other.",
+        );
     let sides = [Side::In, Side::Out];
     for operation in Operation::ALL {
         for (left, right) in sides.into_iter().flat_map(|l| sides.map(|r| (l, r))) {
@@ -123,8 +125,9 @@ pub fn operations(size: usize, samples: u32) -> Figure {
         let label = format!("box {} sphere", operation.sign());
         panels = panels.picture(portrait(Box::new(solid(tree)), &COLOURS[..2], size, samples), &label);
     }
-    Figure::from(panels)
-        .caption("After Tomas, figure 16. Each point of the surface keeps the material of the leaf it lies on.")
+    Figure::from(panels).caption(
+        "After Tomas, figure 16. Each point of the surface keeps the material of the leaf it lies on.",
+    )
 }
 
 fn spans(solid: &dyn Solid, ray: &Ray) -> Vec<Span> {

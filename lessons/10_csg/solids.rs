@@ -15,7 +15,10 @@ use lightbench::shape::sphere::Sphere;
 use lightbench_kit::figure::{Figure, Panels, Pixels};
 use lightbench_kit::lesson::{LessonError, Picture, Result};
 use lightbench_kit::scene_file::{Color, read_file};
-use lightbench_kit::stage::{RenderSize, Stage, colour, glossy};
+use lightbench_kit::stage::{
+    RenderSize, Stage,
+    material::{colour, glossy},
+};
 use std::path::Path;
 use std::sync::Arc;
 

@@ -140,7 +140,7 @@ impl Bvh {
         (self.tree.deepest_stack(), STACK)
     }
 
-    /// Memory of the tree [bytes].
+    /// Memory of the tree \[bytes\].
     pub fn bytes(&self) -> usize {
         self.tree.bytes() + self.unbounded.len() * size_of::<u32>()
     }

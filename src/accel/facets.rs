@@ -136,7 +136,7 @@ impl Facets {
         (self.tree.deepest_stack(), STACK)
     }
 
-    /// Memory of tree and packs [bytes].
+    /// Memory of tree and packs \[bytes\].
     pub fn bytes(&self) -> usize {
         self.tree.bytes() + self.packs.len() * size_of::<Pack>() + self.unbounded.len() * size_of::<u32>()
     }

@@ -63,7 +63,7 @@ impl Hulls {
         best.found
     }
 
-    /// Memory of the hulls [bytes].
+    /// Memory of the hulls \[bytes\].
     pub fn bytes(&self) -> usize {
         size_of_val(&self.boxes[..]) + size_of_val(&self.balls[..])
     }

@@ -109,7 +109,7 @@ impl Octree {
         if leaf.is_leaf { &self.items[leaf.first as usize..(leaf.first + leaf.count) as usize] } else { &[] }
     }
 
-    /// Memory of cubes and lists [bytes].
+    /// Memory of cubes and lists \[bytes\].
     pub fn bytes(&self) -> usize {
         size_of_val(&self.cubes[..]) + size_of_val(&self.items[..]) + size_of_val(&self.unbounded[..])
     }

@@ -59,7 +59,7 @@ pub trait Geometry {
     fn cos_o(&self) -> f64;
     fn sin_i(&self) -> f64;
     fn sin_o(&self) -> f64;
-    /// Angles with the normal [rad].
+    /// Angles with the normal \[rad\].
     fn theta_i(&self) -> f64;
     fn theta_o(&self) -> f64;
     /// Cosine of the difference of azimuths; 0 where one of them is the normal.
@@ -154,7 +154,7 @@ pub fn sin_theta(w: DVec3) -> f64 {
     (w.x * w.x + w.y * w.y).sqrt()
 }
 
-/// Angles [rad]: what tables and diagrams have. The mirror direction lies at `φ = π`.
+/// Angles \[rad\]: what tables and diagrams have. The mirror direction lies at `φ = π`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Angles {
     theta_i: f64,

@@ -21,7 +21,7 @@ use std::f64::consts::LN_2;
 /// W(θ) = least + (1 − least) (1 − cos θ)^sharpness
 /// ```
 ///
-/// - Domain: `least` in [0,1], `sharpness > 0`, `cos_theta` in [0,1]; from the front `least`, in the horizon 1.
+/// - Domain: `least` in `[0,1]`, `sharpness > 0`, `cos_theta` in `[0,1]`; from the front `least`, in the horizon 1.
 /// - NaN in, NaN out.
 /// - Source: [C §1.8.3 B] asks for a function that grows from near 0 to 1, and gives none; the form is ours.
 pub fn grazing_coefficient(least: f64, sharpness: f64, cos_theta: f64) -> f64 {
@@ -30,7 +30,7 @@ pub fn grazing_coefficient(least: f64, sharpness: f64, cos_theta: f64) -> f64 {
 
 /// `cosⁿ φ` from `1 − cos φ`.
 ///
-/// - Domain: `versine` in [0,2], finite `n ≥ 0`; from 90° on 0, also for n = 0.
+/// - Domain: `versine` in `[0,2]`, finite `n ≥ 0`; from 90° on 0, also for n = 0.
 /// - Accuracy: relative, a few `u` times `1 + n ln(1/cos φ)`.
 /// - NaN in, NaN out.
 #[inline]

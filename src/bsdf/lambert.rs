@@ -13,7 +13,7 @@ pub struct Lambert {
 }
 
 impl Lambert {
-    /// - Errors: a reflectance outside [0,1].
+    /// - Errors: a reflectance outside `[0,1]`.
     pub fn new(rho: f64) -> Result<Self, ParameterError> {
         Ok(Lambert { rho: reflectance("rho", rho)? })
     }

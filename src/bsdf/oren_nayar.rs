@@ -18,7 +18,7 @@ pub enum OrenNayarForm {
     Full,
 }
 
-/// Grooves whose slopes have the standard deviation `σ` [rad].
+/// Grooves whose slopes have the standard deviation `σ` \[rad\].
 ///
 /// With `α` the larger and `β` the smaller of the two angles, `s = σ²`:
 ///
@@ -32,7 +32,7 @@ pub enum OrenNayarForm {
 /// `sin α tan β = sin θᵢ sin θₒ / max(cos θᵢ, cos θₒ)` and `tan((α + β)/2) = (sin θᵢ + sin θₒ)/(cos θᵢ + cos θₒ)`: the short
 /// form needs no trigonometry.
 ///
-/// - Domain: `ρ` in [0,1], finite `σ ≥ 0`; σ = 0 is Lambert.
+/// - Domain: `ρ` in `[0,1]`, finite `σ ≥ 0`; σ = 0 is Lambert.
 /// - Accuracy: a few `u`, relative; all large terms are positive.
 /// - It claims no conservation: with ρ = 1 a little more than everything comes back near grazing.
 /// - The full form's fit dips below 0 where dark surfaces with steep slopes (σ > 0.66 as ρ → 0) are lit and seen at grazing angles
@@ -46,7 +46,7 @@ pub struct OrenNayar {
 }
 
 impl OrenNayar {
-    /// - Errors: a reflectance outside [0,1], a negative σ.
+    /// - Errors: a reflectance outside `[0,1]`, a negative σ.
     pub fn new(rho: f64, sigma: f64, form: OrenNayarForm) -> Result<Self, ParameterError> {
         let sigma = checked("sigma", sigma, "finite and not negative", |x| x >= 0.0)?;
         Ok(OrenNayar { rho: reflectance("rho", rho)?, sigma, form })

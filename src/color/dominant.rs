@@ -44,7 +44,7 @@ impl Locus {
         &self.points
     }
 
-    /// Wavelength of a point [nm].
+    /// Wavelength of a point \[nm\].
     pub fn wavelength(&self, i: usize) -> f64 {
         self.first + i as f64 * self.step
     }
@@ -90,9 +90,9 @@ impl Locus {
 /// Where on the rim of the diagram a colour points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rim {
-    /// On the spectrum, at the dominant wavelength [nm].
+    /// On the spectrum, at the dominant wavelength \[nm\].
     Spectral(f64),
-    /// On the line of purples; the complementary wavelength [nm].
+    /// On the line of purples; the complementary wavelength \[nm\].
     Purple(f64),
 }
 
@@ -100,7 +100,7 @@ pub enum Rim {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dominant {
     pub rim: Rim,
-    /// Share of the way from white to the rim, in [0,1] for real colours; imaginary ones lie beyond 1. The table's curve is
+    /// Share of the way from white to the rim, in `[0,1]` for real colours; imaginary ones lie beyond 1. The table's curve is
     /// not quite convex: mixtures of neighbouring lines reach 1.0003.
     pub purity: f64,
 }
@@ -186,9 +186,9 @@ impl Wheel<'_> {
         }
     }
 
-    /// The line of the spectrum that makes white together with this one [nm]; `None` if only a purple does.
+    /// The line of the spectrum that makes white together with this one \[nm\]; `None` if only a purple does.
     ///
-    /// - Domain: wavelengths of the locus [nm].
+    /// - Domain: wavelengths of the locus \[nm\].
     /// - Accuracy: as [`Wheel::dominant`]; twice gives the first wavelength back.
     /// - Source: [C §1.7.5 D].
     pub fn complementary(&self, wavelength: f64) -> Option<f64> {

@@ -75,7 +75,7 @@ pub fn in_triangle([a, b, c]: [DVec2; 3], xy: DVec2) -> bool {
     sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0)
 }
 
-/// The wavelengths [nm] of the three lines whose triangle is the largest in the diagram.
+/// The wavelengths \[nm\] of the three lines whose triangle is the largest in the diagram.
 ///
 /// All triples of the locus' points are tried, `n³/6` of them.
 pub fn largest_triangle(locus: &Locus) -> [f64; 3] {

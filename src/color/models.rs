@@ -45,7 +45,7 @@ pub fn degrees(hue: f64) -> f64 {
 
 /// Shares of cyan, magenta and yellow that leave a colour of white light.
 ///
-/// - Domain: [0,1]³; finite numbers outside stay finite.
+/// - Domain: `[0,1]³`; finite numbers outside stay finite.
 /// - Accuracy: one rounding.
 /// - NaN goes through.
 /// - Source: [C §1.7.5 F].
@@ -66,7 +66,7 @@ pub fn complement(rgb: Rgb) -> Rgb {
     1.0 - rgb
 }
 
-/// Place on the hexagon of hues [sides], in [0,6); `None` for greys, which have none.
+/// Place on the hexagon of hues \[sides\], in [0,6); `None` for greys, which have none.
 ///
 /// - Domain: finite. A hue just under 6 stays under 6: a red with a breath of blue is no yellowish red.
 /// - Accuracy: `γ₄` for a channel difference of exact inputs; but inputs that are known to `e` leave the hue
@@ -135,7 +135,7 @@ pub fn rgb_from_hsv(hsv: Hsv) -> Rgb {
 
 /// Hue, lightness and saturation.
 ///
-/// - Domain: [0,1]³. Greys, black and white have hue 0 and saturation 0. Outside the cube the formulas go on, to
+/// - Domain: `[0,1]³`. Greys, black and white have hue 0 and saturation 0. Outside the cube the formulas go on, to
 ///   +∞ where their divisor vanishes.
 /// - Accuracy: lightness `γ₁`; saturation `γ₅`, also next to white, where `2 − max − min` would lose every digit
 ///   ([`hls_saturation_textbook`]).

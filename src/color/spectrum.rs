@@ -10,7 +10,7 @@ use super::xyz::Xyz;
 use glam::{DMat3, DVec3, dvec3};
 use std::sync::LazyLock;
 
-/// First and last wavelength of the table [nm].
+/// First and last wavelength of the table \[nm\].
 pub const VISIBLE: (f64, f64) = (360.0, 830.0);
 
 /// A way to evaluate the CIE 1931 matching functions.
@@ -80,7 +80,7 @@ impl Matching {
         }
     }
 
-    /// First and last wavelength [nm] of the chromaticity diagram: the usual 380 to 780 nm, beyond which the table's
+    /// First and last wavelength \[nm\] of the chromaticity diagram: the usual 380 to 780 nm, beyond which the table's
     /// points curl within 2e-3 of its ends. The fits follow the functions where those are large; where they fade, the
     /// quotients of two small numbers run away.
     pub fn range(self) -> (f64, f64) {
@@ -90,12 +90,12 @@ impl Matching {
         }
     }
 
-    /// Distance of the points of a locus [nm].
+    /// Distance of the points of a locus \[nm\].
     pub fn step(self) -> f64 {
         if self == Matching::Table5nm { 5.0 } else { 1.0 }
     }
 
-    /// `(x̄, ȳ, z̄)` at a wavelength [nm].
+    /// `(x̄, ȳ, z̄)` at a wavelength \[nm\].
     ///
     /// - Domain: all numbers; 0 outside the table's range.
     /// - Accuracy: the tables are the standard's numbers, of 7 to 12 digits; against them, where they are largest, the
@@ -166,7 +166,7 @@ fn single_lobe(w: f64) -> Xyz {
 /// (560/λ)⁵ (exp(c₂/(560 nm T)) − 1) / (exp(c₂/(λ T)) − 1),    c₂ = 1.438776877e7 nm K
 /// ```
 ///
-/// - Domain: wavelength [nm] and temperature [K] above 0.
+/// - Domain: wavelength \[nm\] and temperature \[K\] above 0.
 /// - Source: Planck's law; c₂ = hc/k of the SI (2019).
 pub fn black_body(wavelength: f64, temperature: f64) -> f64 {
     const C2: f64 = 1.438776877e7;
@@ -174,7 +174,7 @@ pub fn black_body(wavelength: f64, temperature: f64) -> f64 {
     (560.0 / wavelength).powi(5) * bose(560.0) / bose(wavelength)
 }
 
-/// Wavelengths [nm] at which C says that the three kinds of cones are sensitive, red, green and blue.
+/// Wavelengths \[nm\] at which C says that the three kinds of cones are sensitive, red, green and blue.
 ///
 /// They are lamps of a display: the cones peak near 566, 543 and 440 nm (DeMarco, Pokorny & Smith, JOSA A 9, 1992), and what
 /// they tell apart are the overlaps.
@@ -182,7 +182,7 @@ pub fn black_body(wavelength: f64, temperature: f64) -> f64 {
 /// - Source: [C §1.7.5 E], an erratum.
 pub const CONE_PEAKS_AS_PRINTED: [f64; 3] = [630.0, 530.0, 450.0];
 
-/// Sensitivities of the long-, middle- and short-wave cones at a wavelength [nm], each 1 at its peak.
+/// Sensitivities of the long-, middle- and short-wave cones at a wavelength \[nm\], each 1 at its peak.
 ///
 /// ```text
 /// L = 0.15514 X + 0.54312 Y − 0.03286 Z,   M = −0.15514 X + 0.45684 Y + 0.03286 Z,   S = Z

@@ -8,7 +8,7 @@ const SLOPE: f64 = 12.92;
 const OFFSET: f64 = 0.055;
 const EXPONENT: f64 = 2.4;
 
-/// What a file stores for a linear channel: the sRGB curve, [0,1] → [0,1].
+/// What a file stores for a linear channel: the sRGB curve, `[0,1]` → `[0,1]`.
 ///
 /// ```text
 /// s = 12.92 l                      l ≤ 0.0031308
@@ -20,7 +20,7 @@ const EXPONENT: f64 = 2.4;
 ///
 /// - Domain: all numbers. Negative values stay on the straight piece; above 1 the power goes on;
 ///   infinities keep their sign.
-/// - Accuracy: absolute error ≤ `num::gamma(12)` on [0,1]: at the knee the exponent, which errs by 2u at
+/// - Accuracy: absolute error ≤ `num::gamma(12)` on `[0,1]`: at the knee the exponent, which errs by 2u at
 ///   most, costs `2u·|ln l|/2.4` = 4.8u, the power 2u, the factor, the difference and their constants the rest.
 /// - NaN in, NaN out.
 /// - Source: IEC 61966-2-1:1999.
@@ -28,7 +28,7 @@ pub fn srgb_encode(linear: f64) -> f64 {
     if linear <= LINEAR_KNEE { SLOPE * linear } else { (1.0 + OFFSET) * linear.powf(1.0 / EXPONENT) - OFFSET }
 }
 
-/// The linear channel behind a stored value: the inverse sRGB curve, [0,1] → [0,1].
+/// The linear channel behind a stored value: the inverse sRGB curve, `[0,1]` → `[0,1]`.
 ///
 /// ```text
 /// l = s / 12.92                    s ≤ 0.04045
@@ -40,7 +40,7 @@ pub fn srgb_encode(linear: f64) -> f64 {
 ///
 /// - Domain: all numbers. Negative values stay on the straight piece; above 1 the power goes on,
 ///   and overflows to infinity beyond 1e128.
-/// - Accuracy: relative error ≤ `num::gamma(16)` on [0,1]: sum, quotient and constants 3.7u, times 2.4;
+/// - Accuracy: relative error ≤ `num::gamma(16)` on `[0,1]`: sum, quotient and constants 3.7u, times 2.4;
 ///   the stored exponent errs by 0.34u, which costs `0.34u·2.4·|ln 0.09|` = 2u; the power 2u.
 /// - NaN in, NaN out.
 /// - Source: IEC 61966-2-1:1999.

@@ -1,5 +1,6 @@
 //! `lightbench list` and `lightbench figures`: the lessons, and everything they draw.
 
+use super::check::counted;
 use super::{Failure, target};
 use lightbench_kit::flags::Flags;
 use lightbench_kit::lesson::{Entry, SYLLABUS};
@@ -68,7 +69,7 @@ pub(super) fn figures(flags: &Flags) -> Result<String, Failure> {
         progress.set((i + 1) as f64 / chosen.len() as f64);
     }
     let page = page::write(&folder).map_err(Failure::work)?;
-    progress.finish(&format!("{} lessons", chosen.len()));
+    progress.finish(&counted(chosen.len(), "lesson"));
     out += &format!("{}\n", page.display());
     if failed.is_empty() {
         return Ok(out);

@@ -1,7 +1,7 @@
 //! How far one picture is from another.
 //!
 //! Errors are measured on linear radiance, `d = a − b` with `b` the reference. What an eye would say is
-//! asked of *display values*: radiance clamped to [0,1] and sent through the sRGB curve.
+//! asked of *display values*: radiance clamped to `[0,1]` and sent through the sRGB curve.
 
 use super::{Image, ssim};
 use crate::color::{luminance, srgb_encode};
@@ -22,7 +22,7 @@ pub struct Comparison {
     /// mean d
     /// ```
     pub signed_mean: f64,
-    /// Mean squared error relative to the reference [1].
+    /// Mean squared error relative to the reference \[1\].
     ///
     /// ```text
     /// mean( d² / (b² + δ) ),    δ = (0.01 Ȳ)²,    Ȳ = mean of Y(|b|)
@@ -33,7 +33,7 @@ pub struct Comparison {
     /// (0.18), 0.01 Ȳ is level 6 of 255: what a display shows as black.
     /// 0 for identical pictures, ∞ if only the reference is black.
     pub relative_mse: f64,
-    /// Peak signal-to-noise ratio of the display values [dB], peak 1; ∞ if they are identical.
+    /// Peak signal-to-noise ratio of the display values \[dB\], peak 1; ∞ if they are identical.
     ///
     /// ```text
     /// psnr = −10 log₁₀( mean (s_a − s_b)² ),    s = srgb(clamp(x, 0, 1))

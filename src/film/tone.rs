@@ -1,9 +1,9 @@
-//! Tone mapping: from unbounded radiance to the [0,1] of a display, once, at the end.
+//! Tone mapping: from unbounded radiance to the `[0,1]` of a display, once, at the end.
 
 use super::Image;
 use crate::color::Rgb;
 
-/// How values out of [0,1] come into range. Below 0 every map gives 0, NaN stays NaN.
+/// How values out of `[0,1]` come into range. Below 0 every map gives 0, NaN stays NaN.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ToneMap {
     /// Whatever exceeds 1 becomes 1: values in range are kept, highlights lose their hue [C §1.8.2].
@@ -29,7 +29,7 @@ impl ToneMap {
         }
     }
 
-    /// The mapped picture, linear, each channel in [0,1] or NaN; +∞ becomes 1.
+    /// The mapped picture, linear, each channel in `[0,1]` or NaN; +∞ becomes 1.
     pub fn apply(self, image: &Image) -> Image {
         match self {
             ToneMap::Clamp => image.map(clamp),
@@ -48,7 +48,7 @@ fn clamp(rgb: Rgb) -> Rgb {
     rgb.map(|x| x.clamp(0.0, 1.0))
 }
 
-/// The filmic curve: a linear channel to [0,1].
+/// The filmic curve: a linear channel to `[0,1]`.
 ///
 /// ```text
 /// f(x) = x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14),    at most 1

@@ -44,10 +44,10 @@ pub struct Flags {
     /// Number of threads, at most 1024 [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Width of pictures [pixels]
+    /// Width of pictures in pixels
     #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u16).range(1..))]
     pub width: Option<u16>,
-    /// Height of pictures [pixels]
+    /// Height of pictures in pixels
     #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u16).range(1..))]
     pub height: Option<u16>,
     /// Camera rays a pixel

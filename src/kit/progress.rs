@@ -51,7 +51,7 @@ impl Progress {
         Progress { bar, name, started: Instant::now(), last_line: AtomicU64::new(0), quiet }
     }
 
-    /// `share` of the work, in [0,1], is done. May be called from any thread.
+    /// `share` of the work, in `[0,1]`, is done. May be called from any thread.
     pub fn set(&self, share: f64) {
         if let Some(bar) = &self.bar {
             bar.set_position((share * STEPS as f64) as u64);

@@ -2,7 +2,7 @@
 
 use super::LightError;
 
-/// The factor by which a light's irradiance falls with distance `d` [m].
+/// The factor by which a light's irradiance falls with distance `d` \[m\].
 ///
 /// | document | prints | here |
 /// |---|---|---|

@@ -20,7 +20,7 @@ pub struct Rectangle {
 }
 
 impl Rectangle {
-    /// A rectangle `size` (width, height) about `center` that faces `direction`, turned by `roll` [rad]
+    /// A rectangle `size` (width, height) about `center` that faces `direction`, turned by `roll` \[rad\]
     /// counter-clockwise about it [D §4.10.2].
     ///
     /// Without roll the width runs horizontally and the height upwards (for one that faces
@@ -93,7 +93,7 @@ pub enum Emitter {
 }
 
 impl Emitter {
-    /// Area [m²].
+    /// Area \[m²\].
     pub fn area(&self) -> f64 {
         match self {
             Emitter::Rectangle(r) => 4.0 * r.half_width.length() * r.half_height.length(),

@@ -8,7 +8,7 @@
 //! | A §4.1, ill. 67 | intensity `I`, coefficients a, b, c | `π I min(1, 1/(a + b d + c d²))` | [`PointLight::of_color`], [`Attenuation`] |
 //! | A §4.3.3 | direction, `I` | `π I` | [`DirectionalLight::of_color`] |
 //! | A §4.3.5 | triangle or sphere, `I`, alike in all directions | the mean of its points | [`Emission::Even`] |
-//! | B §7.3.2 | flux `Φ` [W] | `Φ/(4π d²)` | [`PointLight::of_flux`] |
+//! | B §7.3.2 | flux `Φ` \[W\] | `Φ/(4π d²)` | [`PointLight::of_flux`] |
 //! | C §1.8.3 D | `I`, `1/(d + d₀)` or `1/(a₀ + a₁ d + a₂ d²)` | `π I f(d)` | [`PointLight::of_color`], [`Attenuation`] |
 //! | D §4.10 | `Color c`, no fall-off | `π c` | [`PointLight::of_color`], [`Emission::Even`] |
 //! | ours | intensity `I` [W sr⁻¹] | `I/d²` | [`PointLight::of_intensity`], [`SpotLight`] |

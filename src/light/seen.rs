@@ -25,7 +25,7 @@ impl Emitter {
 }
 
 impl Seen {
-    /// Solid angle [sr].
+    /// Solid angle \[sr\].
     pub fn solid_angle(&self) -> f64 {
         match self {
             Seen::Rectangle(seen) => seen.solid_angle(),

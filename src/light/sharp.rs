@@ -39,7 +39,7 @@ impl PointLight {
         PointLight { position, strength: intensity, attenuation: Attenuation::InverseSquare }
     }
 
-    /// B's light, of that flux [W] in all directions: `E = Φ/(4π d²)` [B §7.3.2].
+    /// B's light, of that flux \[W\] in all directions: `E = Φ/(4π d²)` [B §7.3.2].
     pub fn of_flux(position: DVec3, flux: Rgb) -> Self {
         Self::of_intensity(position, flux * (FRAC_1_PI / 4.0))
     }
@@ -107,7 +107,7 @@ pub struct SpotLight {
 }
 
 impl SpotLight {
-    /// `point` seen within the half angle `edge` about `direction`, and wholly within `full` [rad].
+    /// `point` seen within the half angle `edge` about `direction`, and wholly within `full` \[rad\].
     ///
     /// - Domain: `0 ≤ full ≤ edge ≤ π`, `edge > 0`; equal angles make a hard rim.
     /// - Errors: others; a direction of length 0.
@@ -135,7 +135,7 @@ impl SpotLight {
         self.axis
     }
 
-    /// Solid angle [sr] that all of the light would fill: `∫ share dω`, so that the flux is the intensity times this.
+    /// Solid angle \[sr\] that all of the light would fill: `∫ share dω`, so that the flux is the intensity times this.
     ///
     /// ```text
     /// Ω = 2π ∫ share d(1 − cos θ) = π ((1 − cos θ_full) + (1 − cos θ_edge))

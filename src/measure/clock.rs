@@ -16,7 +16,7 @@ pub fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     (start.elapsed().as_secs_f64(), result)
 }
 
-/// Time of one call [s]: the median of nine runs with its quartiles, each run repeating the call until it
+/// Time of one call \[s\]: the median of nine runs with its quartiles, each run repeating the call until it
 /// lasts a millisecond. The result of the call is kept from the optimiser.
 pub fn time<T>(mut work: impl FnMut() -> T) -> Spread {
     let mut calls = 1u64;
@@ -33,7 +33,7 @@ pub fn time<T>(mut work: impl FnMut() -> T) -> Spread {
     Spread::median(&runs).unwrap_or(Spread::exact(0.0))
 }
 
-/// Time per item of a batch of `items` that one call works through [s].
+/// Time per item of a batch of `items` that one call works through \[s\].
 pub fn time_each<T>(items: usize, work: impl FnMut() -> T) -> Spread {
     time(work).times(1.0 / items.max(1) as f64)
 }

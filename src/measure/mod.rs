@@ -85,7 +85,7 @@ impl Failures {
     pub fn total(&self) -> u64 {
         self.missed + self.false_hits + self.nan
     }
-    /// Failures per question, in [0,1]; 0 if nothing was asked.
+    /// Failures per question, in `[0,1]`; 0 if nothing was asked.
     pub fn share(&self) -> f64 {
         if self.of == 0 { 0.0 } else { self.total() as f64 / self.of as f64 }
     }
@@ -102,7 +102,7 @@ impl Failures {
 /// One repetition: what it took, and how wrong it was.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Run {
-    /// Time of this repetition [s].
+    /// Time of this repetition \[s\].
     pub time: Option<f64>,
     /// Error of this repetition, in the unit of the series.
     pub error: Option<f64>,
@@ -113,7 +113,7 @@ pub struct Run {
 pub struct Point {
     /// The value of the swept parameter: samples, distance over radius, …
     pub parameter: f64,
-    /// Time per answer [s].
+    /// Time per answer \[s\].
     pub time: Option<Spread>,
     /// Counted work per answer: rays, evaluations, visits.
     pub work: Option<f64>,

@@ -27,7 +27,7 @@ pub fn counts_csv(series: &[(&Method, &Series)]) -> String {
     text
 }
 
-/// The times [s] of the series: they change from run to run, and live in a file of their own.
+/// The times \[s\] of the series: they change from run to run, and live in a file of their own.
 pub fn times_csv(series: &[(&Method, &Series)]) -> String {
     let mut text = String::from("method,parameter,time_s,time_q1_s,time_q3_s,runs\n");
     for (method, series) in series {

@@ -25,7 +25,7 @@ pub fn truncation(next_term: f64) -> f64 {
     next_term.abs()
 }
 
-/// Half a level of a quantised value [levels].
+/// Half a level of a quantised value \[levels\].
 pub fn quantised() -> f64 {
     0.5
 }

@@ -53,7 +53,7 @@ impl EdgeList {
         sides.iter().map(|side| self.edges[*side as usize / 2][*side as usize % 2])
     }
 
-    /// Memory of faces and edges, without that of the points [bytes].
+    /// Memory of faces and edges, without that of the points \[bytes\].
     pub fn bytes(&self) -> usize {
         size_of_val(&self.edges[..]) + size_of_val(&self.sides[..]) + size_of_val(&self.ends[..])
     }

@@ -189,7 +189,7 @@ impl HalfEdges {
         out
     }
 
-    /// Memory of sides, faces and points' sides, without that of the points [bytes].
+    /// Memory of sides, faces and points' sides, without that of the points \[bytes\].
     pub fn bytes(&self) -> usize {
         size_of_val(&self.halves[..]) + size_of_val(&self.outgoing[..]) + size_of_val(&self.first[..])
     }

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 impl Polygons {
     /// The same with normals for every corner that has none: the mean of the faces around its point, each by its angle
-    /// there, as far as one gets from face to face without crossing an edge that bends by more than `crease` [rad].
+    /// there, as far as one gets from face to face without crossing an edge that bends by more than `crease` \[rad\].
     ///
     /// - Domain: `crease` 0 makes facets; π smooths every edge with two faces. Faces without area get and give nothing.
     /// - Source: Thürmer & Wüthrich, *Computing Vertex Normals from Polygonal Facets*, JGT 3(1) (1998).

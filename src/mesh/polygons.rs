@@ -150,19 +150,19 @@ impl Polygons {
         self.face(face).iter().map(|&i| self.points[i as usize])
     }
 
-    /// Half the sum of the cross products around a face: its normal, as long as its area [m²]; Newell's method.
+    /// Half the sum of the cross products around a face: its normal, as long as its area \[m²\]; Newell's method.
     pub fn area_vector(&self, face: usize) -> DVec3 {
         let outline: Vec<DVec3> = self.outline(face).collect();
         let Some(&first) = outline.first() else { return DVec3::ZERO };
         outline.windows(2).fold(DVec3::ZERO, |sum, w| sum + (w[0] - first).cross(w[1] - first)) * 0.5
     }
 
-    /// Area of flat faces [m²].
+    /// Area of flat faces \[m²\].
     pub fn area(&self) -> f64 {
         (0..self.len()).map(|f| self.area_vector(f).length()).sum()
     }
 
-    /// Volume inside a closed surface [m³], negative if the faces show their fronts to the inside.
+    /// Volume inside a closed surface \[m³\], negative if the faces show their fronts to the inside.
     ///
     /// ```text
     /// V = ∮ p·n dA / 3 = Σ a·(b × c) / 6    over triangles, from any common origin
@@ -237,7 +237,7 @@ impl Polygons {
         out
     }
 
-    /// Memory of points and faces without attributes [bytes].
+    /// Memory of points and faces without attributes \[bytes\].
     pub fn bytes(&self) -> usize {
         size_of_val(&self.points[..]) + size_of_val(&self.corners[..]) + size_of_val(&self.ends[..])
     }

@@ -72,7 +72,7 @@ pub struct Hit {
     pub n: DVec3,
     /// Unit tangent along growing `u`, perpendicular to `ng`.
     pub tangent: DVec3,
-    /// Texture coordinates in [0,1]².
+    /// Texture coordinates in `[0,1]²`.
     pub uv: DVec2,
     pub face: u32,
     pub part: u32,

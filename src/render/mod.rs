@@ -57,7 +57,7 @@ pub struct Control<'a> {
     pub threads: usize,
     /// Set to stop at the next pixel.
     pub stop: &'a AtomicBool,
-    /// Called now and then, from any thread, with the share of the picture that is done, in [0,1].
+    /// Called now and then, from any thread, with the share of the picture that is done, in `[0,1]`.
     pub progress: &'a (dyn Fn(f64) + Sync),
 }
 

@@ -26,7 +26,7 @@ use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, FRAC_PI_4, PI, TAU};
 /// z = 1 − 2 u_x,    φ = 2π u_y
 /// ```
 ///
-/// - Domain: `u` in [0,1]². `u_x = 0` is the north pole, `u_x = 1` the south pole.
+/// - Domain: `u` in `[0,1]²`. `u_x = 0` is the north pole, `u_x = 1` the south pole.
 /// - Accuracy: unit to `γ₆`.
 /// - Source: Archimedes, *On the Sphere and Cylinder*; against [A ill. 46], see [`sphere_as_printed`].
 #[inline]
@@ -64,7 +64,7 @@ pub fn uniform_hemisphere_pdf(w: DVec3) -> f64 {
 /// The versine, `sin²θ_max / (1 + cos θ_max)` for narrow cones, is asked for because a cosine near 1
 /// has no digits left for the angle: a lamp that covers 10⁻⁸ rad has cosine 1.
 ///
-/// - Domain: `0 ≤ versine ≤ 2`, `u` in [0,1]². Versine 0 is the pole alone, 1 the hemisphere, 2 the sphere.
+/// - Domain: `0 ≤ versine ≤ 2`, `u` in `[0,1]²`. Versine 0 is the pole alone, 1 the hemisphere, 2 the sphere.
 /// - Accuracy: unit to `γ₆`; `sin θ` relative to `γ₃`.
 /// - NaN in, NaN out.
 #[inline]
@@ -98,7 +98,7 @@ fn versine_of(w: DVec3) -> f64 {
 /// (x, y) = r (cos φ, sin φ) = uniform_disc(u),    z = √((1 − r)(1 + r))
 /// ```
 ///
-/// - Domain: `u` in [0,1]²; `r` ends at `1 − 2⁻⁵³`, so that `z ≥ 1.4e-8`: a sample never lies in the
+/// - Domain: `u` in `[0,1]²`; `r` ends at `1 − 2⁻⁵³`, so that `z ≥ 1.4e-8`: a sample never lies in the
 ///   horizon, where its density would be 0. (Only the outermost points move, by half an ulp.)
 /// - Accuracy: unit to `γ₆`: three roundings in `x`, `y` beside the library's, four in `z`.
 /// - Source: Malley (1988); disc by Shirley & Chiu (1997).
@@ -124,7 +124,7 @@ pub fn cosine_hemisphere_pdf(w: DVec3) -> f64 {
 /// Neighbours stay neighbours and cells stay compact, so that stratified sets stay stratified: the
 /// polar map `r = √u_x` cuts the disc into long slivers.
 ///
-/// - Domain: `u` in [0,1]². The centre of the square is the centre, its boundary the boundary circle.
+/// - Domain: `u` in `[0,1]²`. The centre of the square is the centre, its boundary the boundary circle.
 /// - Accuracy: within the disc of radius `1 + γ₃`.
 /// - Source: Shirley & Chiu, *A low distortion map between disk and square*, JGT 2(3) (1997).
 #[inline]
@@ -161,7 +161,7 @@ fn concentric(u: DVec2) -> (f64, f64) {
 /// s = √u_x,    (b₀, b₁, b₂) = (1 − s, s (1 − u_y), s u_y)
 /// ```
 ///
-/// - Domain: `u` in [0,1]²; no coordinate is negative.
+/// - Domain: `u` in `[0,1]²`; no coordinate is negative.
 /// - Accuracy: the coordinates sum to 1 within `γ₄`.
 /// - Source: Turk, *Generating random points in triangles*, Graphics Gems (1990).
 #[inline]
@@ -179,7 +179,7 @@ pub fn uniform_triangle(u: DVec2) -> DVec3 {
 /// Cheaper than [`uniform_triangle`] by a root, but two far corners of the square land in one place, so
 /// that stratified sets lose half their strata.
 ///
-/// - Domain: `u` in [0,1]². The test is `b > 1 − a`, exact for multiples of 2⁻⁵³, where `a + b > 1` rounds:
+/// - Domain: `u` in `[0,1]²`. The test is `b > 1 − a`, exact for multiples of 2⁻⁵³, where `a + b > 1` rounds:
 ///   no coordinate is negative.
 /// - Accuracy: the coordinates sum to 1 within `γ₄`.
 /// - Source: [A ill. 45]; Turk (1990).
@@ -239,7 +239,7 @@ pub fn power_cosine_pdf(w: DVec3, n: f64) -> f64 {
 /// The latitude is uniform, but circles of latitude shrink towards the poles: `E[z²]` is 1/2 instead of
 /// 1/3. For lessons; everything else takes [`uniform_sphere`].
 ///
-/// - Domain: `u` in [0,1]². The printed 1.57 and 6.28 leave a wedge of 0.0032 rad empty.
+/// - Domain: `u` in `[0,1]²`. The printed 1.57 and 6.28 leave a wedge of 0.0032 rad empty.
 #[allow(clippy::approx_constant)] // the printed digits are the subject
 pub fn sphere_as_printed(u: DVec2) -> DVec3 {
     // A's own digits.

@@ -9,7 +9,7 @@ use crate::frame::{Frame, FrameError};
 use crate::ray::Ray;
 use glam::{DVec2, DVec3};
 
-/// A full opening angle [rad], and the image side it spans.
+/// A full opening angle \[rad\], and the image side it spans.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FieldOfView {
     /// From the bottom edge to the top edge: the library's and D's meaning.
@@ -137,7 +137,7 @@ impl View {
     }
 }
 
-/// Normalised device coordinates [0,1]² of a raster point [B §5.2].
+/// Normalised device coordinates `[0,1]²` of a raster point [B §5.2].
 pub fn ndc_from_raster(raster: DVec2, size: DVec2) -> DVec2 {
     raster / size
 }

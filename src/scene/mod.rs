@@ -32,7 +32,7 @@ pub struct Material {
     pub opacity: f64,
     /// Absolute index of refraction.
     pub ior: f64,
-    /// Half angle [rad] of the cone of reflected rays.
+    /// Half angle \[rad\] of the cone of reflected rays.
     pub reflection_angle: f64,
     /// Share of `specular` that is mirrored.
     pub reflection_amount: f64,

@@ -19,7 +19,7 @@ pub fn obscura_line(film: DVec2, hole: DVec2, depth: f64) -> (DVec3, DVec3) {
     (film.extend(depth), (hole - film).extend(-depth))
 }
 
-/// Solid angle [sr] of a round hole seen from a point on its axis.
+/// Solid angle \[sr\] of a round hole seen from a point on its axis.
 ///
 /// ```text
 /// Ω = 2π (1 − cos θ) = 2π tan²θ / (1 + tan²θ + √(1 + tan²θ)),    tan θ = radius / distance
@@ -98,7 +98,7 @@ pub fn sharpest_hole(depth: f64, distance: f64, wavelength: f64) -> f64 {
     (AIRY * wavelength * depth / (1.0 + depth / distance)).sqrt()
 }
 
-/// Solid angle [sr] per area of the image plane at distance 1, at a point of it.
+/// Solid angle \[sr\] per area of the image plane at distance 1, at a point of it.
 ///
 /// ```text
 /// dΩ/dA = cos³θ = (1 + x² + y²)^(−3/2)
@@ -113,7 +113,7 @@ pub fn solid_angle_density(screen: DVec2) -> f64 {
     1.0 / (r2 * r2.sqrt())
 }
 
-/// Solid angle [sr] of the rectangle between two corners of the image plane at distance 1.
+/// Solid angle \[sr\] of the rectangle between two corners of the image plane at distance 1.
 ///
 /// ```text
 /// Ω = G(x₁,y₁) − G(x₀,y₁) − G(x₁,y₀) + G(x₀,y₀),    G(x,y) = atan(x y / √(1 + x² + y²))

@@ -105,7 +105,7 @@ pub fn smooth_min(a: f64, b: f64, k: f64) -> f64 {
 pub struct SmoothUnion<A, B>(A, B, f64);
 
 impl<A: DistanceField, B: DistanceField> SmoothUnion<A, B> {
-    /// Fields that differ by less than `k` [m] are blended.
+    /// Fields that differ by less than `k` \[m\] are blended.
     ///
     /// - Errors: a `k` that is not positive and finite.
     pub fn new(a: A, b: B, k: f64) -> Result<Self, ShapeError> {
@@ -186,7 +186,7 @@ impl<A: DistanceField> DistanceField for Offset<A> {
 /// ```
 ///
 /// The gradient of the product of sines is at most `k` long: with `u = sin²` its square over `k²` is linear in each `u`, and
-/// 0 or 1 in the corners of [0,1]³.
+/// 0 or 1 in the corners of `[0,1]³`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rippled<A> {
     field: A,
@@ -195,7 +195,7 @@ pub struct Rippled<A> {
 }
 
 impl<A: DistanceField> Rippled<A> {
-    /// Waves of height `amplitude` [m], `frequency` radians a metre.
+    /// Waves of height `amplitude` \[m\], `frequency` radians a metre.
     ///
     /// - Errors: an amplitude or frequency that is not positive and finite.
     pub fn new(field: A, amplitude: f64, frequency: f64) -> Result<Self, ShapeError> {

@@ -58,7 +58,7 @@ impl Stride {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct March {
     pub stride: Stride,
-    /// Shortest step at the ray's origin [m].
+    /// Shortest step at the ray's origin \[m\].
     pub tolerance: f64,
     /// Growth of the shortest step per length of the way: the width of a pixel at distance 1, or 0.
     pub spread: f64,
@@ -93,7 +93,7 @@ impl March {
         March { spread, ..self }
     }
 
-    /// The first change of sign between two distances `from ≤ to` [m] along a ray, and what it took.
+    /// The first change of sign between two distances `from ≤ to` \[m\] along a ray, and what it took.
     pub fn first<F: DistanceField + ?Sized>(&self, field: &F, ray: &Ray, from: f64, to: f64) -> Marched {
         let Some(mut walk) = Walk::new(field, *self, ray, from, to) else { return Marched::nothing(*self) };
         let found = walk.next();
@@ -117,7 +117,7 @@ impl March {
     }
 }
 
-/// A place where a march has stood: distance along the ray, and radius of the free ball there [m].
+/// A place where a march has stood: distance along the ray, and radius of the free ball there \[m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     pub distance: f64,
@@ -127,11 +127,11 @@ pub struct Step {
 /// What a march found, and what it took.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Marched {
-    /// Where the field changes sign: distance along the ray [m].
+    /// Where the field changes sign: distance along the ray \[m\].
     pub distance: Option<f64>,
-    /// The change of sign lies no farther than this from `distance`, along the ray [m].
+    /// The change of sign lies no farther than this from `distance`, along the ray \[m\].
     pub within: f64,
-    /// Shortest step at the end [m]: what a ray may have dived unseen.
+    /// Shortest step at the end \[m\]: what a ray may have dived unseen.
     pub tolerance: f64,
     /// Evaluations of the field on the way to the surface, steps taken back among them.
     pub steps: u32,
@@ -199,7 +199,7 @@ impl Stand {
     }
 }
 
-/// A change of sign: where, and how well that is known [m].
+/// A change of sign: where, and how well that is known \[m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
     pub s: f64,
@@ -207,7 +207,7 @@ pub struct Change {
 }
 
 impl<'a, F: DistanceField + ?Sized> Walk<'a, F> {
-    /// A march along a ray between two distances [m]. `None` for a ray without direction, or numbers that are not finite.
+    /// A march along a ray between two distances \[m\]. `None` for a ray without direction, or numbers that are not finite.
     pub fn new(field: &'a F, march: March, ray: &Ray, from: f64, to: f64) -> Option<Self> {
         let largest = ray.direction.abs().max_element();
         let direction = crate::frame::unit(ray.direction)?;
@@ -231,7 +231,7 @@ impl<'a, F: DistanceField + ?Sized> Walk<'a, F> {
         self.speed
     }
 
-    /// How far the march has come [m].
+    /// How far the march has come \[m\].
     pub fn reached(&self) -> f64 {
         self.at.s
     }
@@ -241,7 +241,7 @@ impl<'a, F: DistanceField + ?Sized> Walk<'a, F> {
         self.at.is_inside()
     }
 
-    /// What rounding hides of the distance anywhere on the way [m].
+    /// What rounding hides of the distance anywhere on the way \[m\].
     pub fn hidden(&self) -> f64 {
         self.hidden
     }

@@ -38,7 +38,7 @@ use std::fmt::Debug;
 
 /// A scalar field, positive outside a solid and negative inside, that changes at most at a known rate.
 pub trait DistanceField: Debug + Send + Sync {
-    /// The field at a point [m]; for an exact field the signed distance to the surface.
+    /// The field at a point \[m\]; for an exact field the signed distance to the surface.
     fn distance(&self, p: DVec3) -> f64;
 
     /// `L` of (1): 1 for distances and whatever is made of them by minima and maxima.
@@ -49,13 +49,13 @@ pub trait DistanceField: Debug + Send + Sync {
     /// A box that holds every point where the field is at most `level` ≥ 0: at 0 the solid itself.
     fn bounds(&self, level: f64) -> Aabb;
 
-    /// Largest length or coordinate [m] that goes into the field's numbers: what its rounding errors are measured by.
+    /// Largest length or coordinate \[m\] that goes into the field's numbers: what its rounding errors are measured by.
     fn scale(&self) -> f64;
 
-    /// The smallest length [m] on which the surface has features.
+    /// The smallest length \[m\] on which the surface has features.
     fn detail(&self) -> f64;
 
-    /// Bound on the error of [`DistanceField::distance`] at `p` by rounding [m].
+    /// Bound on the error of [`DistanceField::distance`] at `p` by rounding \[m\].
     ///
     /// The fields of this module round at most 32 times, relative to the largest of their terms.
     fn rounding(&self, p: DVec3) -> f64 {
@@ -78,7 +78,7 @@ pub trait DistanceField: Debug + Send + Sync {
 /// `∛u`, the share of the surface's detail at which truncation and rounding of a central difference meet.
 const DIFFERENCE: f64 = 4.8e-6;
 
-/// The gradient by central differences at a step `h` [m].
+/// The gradient by central differences at a step `h` \[m\].
 ///
 /// The steps that were really made, `(x + h) − (x − h)`, divide: far from the origin `h` itself is rounded.
 pub fn central_difference(field: &(impl DistanceField + ?Sized), p: DVec3, h: f64) -> DVec3 {

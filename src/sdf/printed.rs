@@ -16,7 +16,7 @@ use crate::ray::Ray;
 /// The printed march and its two numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AsPrinted {
-    /// ε: where the field is smaller there is said to be a surface [m].
+    /// ε: where the field is smaller there is said to be a surface \[m\].
     pub accuracy: f64,
     /// After so many steps there is said to be none.
     pub most_steps: u32,
@@ -33,7 +33,7 @@ impl AsPrinted {
         AsPrinted { share, ..self }
     }
 
-    /// Distance along the ray [m] and index of the field that is met, and the steps it took; the ray's direction is a unit vector.
+    /// Distance along the ray \[m\] and index of the field that is met, and the steps it took; the ray's direction is a unit vector.
     pub fn intersect(&self, fields: &[&dyn DistanceField], ray: &Ray) -> (Option<(f64, usize)>, u32) {
         let (mut p, mut along, mut d) = (ray.origin, 0.0, 0.0);
         for step in 1..=self.most_steps {

@@ -15,7 +15,7 @@ use glam::{DVec2, DVec3};
 /// An unbounded plane; as a [`Solid`], everything behind it.
 ///
 /// Texture coordinates are lengths along the tangent and along `ng × tangent` from the plane's point;
-/// they are not confined to [0,1].
+/// they are not confined to `[0,1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
     point: DVec3,

@@ -2,6 +2,7 @@
 #![cfg(unix)]
 
 use crate::bench::{Bench, SCENE};
+use crate::readme::programs;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
@@ -30,6 +31,30 @@ fn signals_leave_no_trace() {
         assert_eq!(err.lines().last(), Some("interrupted: long was not written"));
         assert_eq!(bench.files(), ["long.scene", "s.scene"]);
     }
+}
+
+/// The lesson that runs is ended with the command that runs it.
+#[test]
+fn figures_are_stopped_with_their_lesson() {
+    let bench = Bench::new("interrupt_figures");
+    let _ = programs("lesson_09"); // which takes minutes at this quality
+    let mut figures = bench.command(&["figures", "--only", "09", "--quality", "final"]);
+    let figures = figures.env_remove("CARGO").stdout(Stdio::piped()).stderr(Stdio::piped()); // nothing is to be built
+    let child = figures.spawn().expect("runs");
+    sleep(Duration::from_millis(1500));
+    let of_child =
+        || Command::new("pgrep").args(["-P", &child.id().to_string()]).output().expect("pgrep").stdout;
+    let lesson = String::from_utf8(of_child()).expect("a number").trim().to_string();
+    assert!(lesson.parse::<u32>().is_ok(), "no lesson runs: `{lesson}`");
+    send("TERM", child.id());
+    let output = child.wait_with_output().expect("ends");
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(
+        (output.status.code(), err.lines().last()),
+        (Some(143), Some("interrupted: lesson_09 was not written"))
+    );
+    let alive = Command::new("kill").args(["-0", &lesson]).stderr(Stdio::null()).status().expect("kill");
+    assert!(!alive.success(), "the lesson goes on alone");
 }
 
 /// `nohup` has SIGHUP ignored; that holds for what it starts.

@@ -70,8 +70,8 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
-/// The folder of the built programs, with every lesson that the README runs.
-fn programs(commands: &str) -> PathBuf {
+/// The folder of the built programs, with every lesson that the commands run.
+pub fn programs(commands: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_BIN_EXE_lightbench")).parent().expect("a folder").to_path_buf();
     // `figures` runs the first one.
     let figures = commands.contains("-- figures").then_some("lesson_01");

@@ -62,7 +62,7 @@ pub struct CookTorrance {
 }
 
 impl CookTorrance {
-    /// - Errors: a roughness that is negative or not finite, an `f0` outside [0,1], an index that is not positive.
+    /// - Errors: a roughness that is negative or not finite, an `f0` outside `[0,1]`, an index that is not positive.
     pub fn new(
         roughness: f64,
         distribution: Distribution,

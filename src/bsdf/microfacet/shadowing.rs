@@ -28,7 +28,7 @@ pub enum Shadowing {
 }
 
 impl Shadowing {
-    /// `G / (4 cos θᵢ cos θₒ)` [1], finite for all cosines that are not both 0.
+    /// `G / (4 cos θᵢ cos θₒ)` \[1\], finite for all cosines that are not both 0.
     ///
     /// ```text
     /// V-cavity   min(1/(4 ci co), cos θₕ/(2 cos d max(ci, co)))

@@ -4,7 +4,7 @@ use super::ink::Srgb;
 use crate::color::srgb_encode;
 use crate::film::error_picture;
 
-/// Viridis at `t` in [0,1]: dark blue to yellow, of evenly growing lightness.
+/// Viridis at `t` in `[0,1]`: dark blue to yellow, of evenly growing lightness.
 ///
 /// A polynomial of degree 6 per channel, fitted to the table; at most about 0.01 off.
 ///

@@ -5,7 +5,7 @@ use crate::color::srgb_encode;
 use crate::film::Image;
 use glam::{DVec2, dvec2};
 
-/// An upright rectangle on the canvas [px], y downwards.
+/// An upright rectangle on the canvas \[px\], y downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rect {
     pub min: DVec2,
@@ -37,7 +37,7 @@ impl Rect {
     pub fn covers(&self, other: &Rect) -> bool {
         self.holds(other.min) && self.holds(other.max)
     }
-    /// Area that the two share [px²].
+    /// Area that the two share \[px²\].
     pub fn overlap(&self, other: &Rect) -> f64 {
         let size = self.max.min(other.max) - self.min.max(other.min);
         size.x.max(0.0) * size.y.max(0.0)
@@ -76,7 +76,7 @@ pub enum Pattern {
     Hatched,
 }
 
-/// Hatching: period across the lines and their width [px].
+/// Hatching: period across the lines and their width \[px\].
 pub const HATCH_PERIOD: f64 = 9.0;
 pub const HATCH_WIDTH: f64 = 1.6;
 
@@ -86,7 +86,7 @@ pub struct Stroke {
     pub ink: Ink,
     pub width: f64,
     pub opacity: f64,
-    /// Lengths of dash and gap in turn [px]; empty for a whole line.
+    /// Lengths of dash and gap in turn \[px\]; empty for a whole line.
     pub dash: Vec<f64>,
 }
 
@@ -139,12 +139,12 @@ pub enum Anchor {
 pub struct Text {
     pub at: DVec2,
     pub text: String,
-    /// Font size [px].
+    /// Font size \[px\].
     pub size: f64,
     pub face: Face,
     pub ink: Ink,
     pub anchor: Anchor,
-    /// Width of the ground-coloured rim round the letters [px].
+    /// Width of the ground-coloured rim round the letters \[px\].
     pub halo: f64,
 }
 
@@ -245,7 +245,7 @@ pub enum Item {
 /// The marks on a canvas.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
-    /// [px].
+    /// \[px\].
     pub width: f64,
     pub height: f64,
     pub items: Vec<Item>,
@@ -369,7 +369,7 @@ impl Drawing {
     }
 }
 
-/// Length and half width of an arrow's head for a line of that width [px].
+/// Length and half width of an arrow's head for a line of that width \[px\].
 pub fn head_size(width: f64) -> (f64, f64) {
     (8.0 + 4.0 * width, 2.4 + 1.75 * width)
 }

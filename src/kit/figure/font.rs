@@ -74,12 +74,12 @@ pub fn plain(text: &str) -> String {
     runs(text).into_iter().map(|r| r.text).collect()
 }
 
-/// Width of a line of text [px].
+/// Width of a line of text \[px\].
 pub fn width(text: &str, face: Face, size: f64) -> f64 {
     runs(text).iter().map(|r| run_width(&r.text, face, size * r.level.scale_and_rise().0)).sum()
 }
 
-/// Width of a stretch at one height [px].
+/// Width of a stretch at one height \[px\].
 pub fn run_width(text: &str, face: Face, size: f64) -> f64 {
     let font = font(face);
     let scale = size / f64::from(font.units_per_em().unwrap_or(2048.0));
@@ -89,7 +89,7 @@ pub fn run_width(text: &str, face: Face, size: f64) -> f64 {
     (advance + kerning) * scale
 }
 
-/// Closed outlines of a line of text whose baseline starts at the origin, y downwards [px].
+/// Closed outlines of a line of text whose baseline starts at the origin, y downwards \[px\].
 pub fn outlines(text: &str, face: Face, size: f64) -> Vec<Vec<DVec2>> {
     let mut contours = Vec::new();
     let mut x = 0.0;
@@ -155,7 +155,7 @@ fn contours(curves: &[OutlineCurve], place: impl Fn(ab_glyph::Point) -> DVec2, i
     into.extend((current.len() > 2).then_some(current));
 }
 
-/// Breaks a text into lines no wider than `max_width` [px]; a single longer word stands alone.
+/// Breaks a text into lines no wider than `max_width` \[px\]; a single longer word stands alone.
 pub fn wrapped(text: &str, face: Face, size: f64, max_width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {

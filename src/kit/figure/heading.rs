@@ -5,12 +5,12 @@ use super::font;
 use super::ink::Ink;
 use glam::dvec2;
 
-/// Canvas of a figure [px].
+/// Canvas of a figure \[px\].
 pub const WIDTH: f64 = 1200.0;
 pub const HEIGHT: f64 = 800.0;
-/// Clear space at the canvas' edge [px].
+/// Clear space at the canvas' edge \[px\].
 pub const MARGIN: f64 = 40.0;
-/// Size of ordinary writing [px]: still legible at half the size.
+/// Size of ordinary writing \[px\]: still legible at half the size.
 pub const SIZE: f64 = 20.0;
 
 const TITLE: f64 = 30.0;

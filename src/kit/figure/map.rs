@@ -105,7 +105,7 @@ impl FailureMap {
         self.failing = word.to_string();
         self
     }
-    /// Share of the map that fails, in [0,1].
+    /// Share of the map that fails, in `[0,1]`.
     pub fn failing_share(&self) -> f64 {
         let failed = self.failed.iter().filter(|f| **f).count();
         failed as f64 / self.failed.len().max(1) as f64

@@ -39,7 +39,7 @@ pub use bars::Bars;
 pub use chart::{Chart, Guide};
 pub use diagram::{Diagram, Light};
 pub use drawing::{Drawing, Pixels};
-pub use heading::{grouped, short};
+pub use heading::{grouped, percent, short};
 pub use map::{FailureMap, Shades};
 pub use panels::{ErrorPanel, Panels};
 pub use roots::{Bar, Roots};

@@ -2,7 +2,7 @@
 //!
 //! | format | stores | error of a stored channel |
 //! |---|---|---|
-//! | `Png8`, `Png16` | [0,1], sRGB curve, nearest level, no dithering | half a level: 1/510, 1/131070 after the curve |
+//! | `Png8`, `Png16` | `[0,1]`, sRGB curve, nearest level, no dithering | half a level: 1/510, 1/131070 after the curve |
 //! | `Exr` | any number, `f32` | 2⁻²⁴ of itself (a value beyond 3.4e38 is refused) |
 //! | `Hdr` | 0 … 1.7e38, three 8-bit mantissas and one exponent | 2⁻⁸ of the pixel's largest channel |
 //!
@@ -68,7 +68,7 @@ impl Format {
 /// What became of a picture on its way into a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Written {
-    /// Pixels with a channel that was cut off at an end of the format's range: [0,1] of PNG, 0 of HDR.
+    /// Pixels with a channel that was cut off at an end of the format's range: `[0,1]` of PNG, 0 of HDR.
     pub clipped: usize,
 }
 
@@ -100,7 +100,7 @@ pub fn write(path: &Path, image: &Image, metadata: &[(&str, String)]) -> Result<
     write_as(path, image, Format::from_path(path)?, metadata)
 }
 
-/// As [`write`], in a given format.
+/// As [`write()`], in a given format.
 pub fn write_as(
     path: &Path,
     image: &Image,

@@ -1,10 +1,12 @@
 //! The files of a lesson's figures: vectors for charts and diagrams, pixels for renders, each once.
 
-use super::{FigureRecord, Lesson, Result};
+use super::{FigureRecord, Lesson, LessonError, Result};
 use crate::figure::{Data, Figure, Provenance, Repeats, Table};
 use crate::file::{Format, encode, write_atomically};
 use crate::film::Image;
 use crate::flags::PictureFormat;
+use std::io::Write;
+use std::process::{Command, Stdio};
 
 /// A figure with more pixels than this in it is a picture: it becomes a PNG [bytes of the SVG].
 const LARGEST_RASTER: usize = 200_000;
@@ -95,6 +97,7 @@ impl Lesson {
         };
         let bytes = match format {
             "svg" => svg.into_bytes(),
+            "pdf" => pdf(&svg)?,
             _ => figure.png(),
         };
         let timed = if figure.repeats == Repeats::Timed { "_time" } else { "" };
@@ -166,4 +169,25 @@ impl Lesson {
         self.paths.borrow_mut().push(path);
         Ok(name.to_string())
     }
+}
+
+/// An SVG as PDF, by the program `rsvg-convert`.
+///
+/// - Errors: the program is not there, or does not take the drawing.
+fn pdf(svg: &str) -> Result<Vec<u8>> {
+    let mut command = Command::new("rsvg-convert");
+    command.args(["--format", "pdf"]).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().map_err(|e| {
+        LessonError(format!(
+            "--format pdf needs the program rsvg-convert (of librsvg): {e}; --format svg needs nothing"
+        ))
+    })?;
+    if let Some(mut input) = child.stdin.take() {
+        input.write_all(svg.as_bytes())?;
+    }
+    let done = child.wait_with_output()?;
+    if !done.status.success() {
+        return Err(LessonError(format!("rsvg-convert: {}", String::from_utf8_lossy(&done.stderr).trim())));
+    }
+    Ok(done.stdout)
 }

@@ -44,9 +44,9 @@ pub struct Given {
 /// The picture and its quality [D §4.3].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Width of the picture [pixels].
+    /// Width of the picture \[pixels\].
     pub width: u32,
-    /// Height of the picture [pixels].
+    /// Height of the picture \[pixels\].
     pub height: u32,
     /// Samples in each pixel: 1, 4 or 16.
     pub samples: u32,

@@ -7,7 +7,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-/// Largest scene file that is read [bytes]. Scenes name their meshes and textures; they do not hold them.
+/// Largest scene file that is read \[bytes\]. Scenes name their meshes and textures; they do not hold them.
 pub const LARGEST_FILE: u64 = 16 << 20;
 
 /// Why no scene came out of a file.

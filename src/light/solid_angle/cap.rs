@@ -82,7 +82,7 @@ impl SphericalCap {
         cap
     }
 
-    /// [sr], from 0 to 2π; 4π from inside.
+    /// \[sr\], from 0 to 2π; 4π from inside.
     pub fn solid_angle(&self) -> f64 {
         self.solid_angle
     }

@@ -163,7 +163,7 @@ impl SphericalRectangle {
         }
     }
 
-    /// [sr], from 0 to 2π.
+    /// \[sr\], from 0 to 2π.
     pub fn solid_angle(&self) -> f64 {
         self.solid_angle
     }

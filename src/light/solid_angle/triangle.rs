@@ -69,7 +69,7 @@ impl SphericalTriangle {
         }
     }
 
-    /// [sr], from 0 to 2π.
+    /// \[sr\], from 0 to 2π.
     pub fn solid_angle(&self) -> f64 {
         self.solid_angle
     }

@@ -24,13 +24,13 @@ pub enum JuliaMethod {
     Ball(March),
 }
 
-/// Shortest step [m] of [`JuliaMethod::AtLeast`]: POV-Ray's `precision 20`.
+/// Shortest step \[m\] of [`JuliaMethod::AtLeast`]: POV-Ray's `precision 20`.
 pub const SHORTEST: f64 = 1.0 / 20.0;
 
 /// What a march is told.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct March {
-    /// It ends where the surface seems nearer than this [m].
+    /// It ends where the surface seems nearer than this \[m\].
     pub tolerance: f64,
     /// Places looked at before it gives up.
     pub most: u32,
@@ -39,9 +39,9 @@ pub struct March {
 /// A place that a march looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
-    /// Distance along the ray from its origin [m].
+    /// Distance along the ray from its origin \[m\].
     pub along: f64,
-    /// How near the surface seems to be [m]; 0 inside.
+    /// How near the surface seems to be \[m\]; 0 inside.
     pub distance: f64,
 }
 
@@ -59,7 +59,7 @@ impl JuliaMethod {
 }
 
 impl Julia {
-    /// The places that the method of the books looks at along a ray, in order; the first hit [m] if there is one.
+    /// The places that the method of the books looks at along a ray, in order; the first hit \[m\] if there is one.
     ///
     /// The certified method looks at four places at a time and keeps no list: nothing is visited, nothing found.
     pub fn walk_by_estimate(&self, ray: &Ray, mut visit: impl FnMut(Look)) -> Option<f64> {

@@ -44,7 +44,7 @@ use std::sync::Arc;
 
 /// Most steps of the iteration.
 pub const MOST_ITERATIONS: u32 = 100;
-/// Largest `|c|`: what stays lies within 10.6 of the origin, and `β²` of [`reach`] stays below (21.1)²⁰⁰ = 10²⁶⁵. (Beyond 2 the
+/// Largest `|c|`: what stays lies within 10.6 of the origin, and `β²` of `reach` stays below (21.1)²⁰⁰ = 10²⁶⁵. (Beyond 2 the
 /// endless iteration leaves nothing but dust.)
 pub const LARGEST_C: f64 = 100.0;
 /// Largest bailout: what may still come back is shorter than 1.4·10³⁰, its square squared still a number.
@@ -137,7 +137,7 @@ impl Julia {
         self.grid.radius
     }
 
-    /// A length [m] by which one may move from `p` in any direction without entering or leaving the solid.
+    /// A length \[m\] by which one may move from `p` in any direction without entering or leaving the solid.
     ///
     /// - Domain: any finite point; 0 on the surface.
     /// - Accuracy: never beyond the surface, but for the rounding of `|q_N|`; (1) and (2) of `reach.rs`.

@@ -54,7 +54,7 @@ pub fn escape_radius(c: DVec4) -> f64 {
     0.5 * (1.0 + (1.0 + 4.0 * c.length()).sqrt())
 }
 
-/// Hart's estimate of the distance [m] from `|q|` and `|q'|` of an orbit that has left: (2) of [`super`].
+/// Hart's estimate of the distance \[m\] from `|q|` and `|q'|` of an orbit that has left: (2) of [`super`].
 ///
 /// - Domain: `size` > 1; below it the logarithm is negative.
 /// - NaN: where both are infinite: an orbit needs a bailout.
@@ -95,7 +95,7 @@ pub fn escape<R: Real>(mut q: Quaternion<R>, c: Quaternion<R>, most: u32, bailou
 }
 
 impl<R: Real> Escape<R> {
-    /// Hart's estimate [m]; `None` inside, and where the derivative vanishes.
+    /// Hart's estimate \[m\]; `None` inside, and where the derivative vanishes.
     pub fn estimate(&self) -> Option<f64> {
         let derivative = self.derivative.to_f64();
         (self.escaped && derivative > 0.0).then(|| estimate(self.size.to_f64(), derivative))
@@ -119,7 +119,7 @@ const MOST_STEPS: usize = 100_000;
 /// How far an orbit is followed, in escape radii: the bound of each step is the best of all on the way.
 const FAR: f64 = 1.0e3;
 
-/// A length [m] that leads from `q` to no point of the set of the endless iteration, in any of four directions; 0 inside.
+/// A length \[m\] that leads from `q` to no point of the set of the endless iteration, in any of four directions; 0 inside.
 ///
 /// A ball of radius `r` about `q_n` comes from a ball about `q_{n−1}` of at least
 ///

@@ -4,7 +4,7 @@
 //! In units of the finest cells the sponge of depth `n` is a grid of `3ⁿ` cells a side, and a cell is solid unless two of
 //! its three coordinates have the digit 1 at the same place to the base 3. From this follow two ways to meet it:
 //!
-//! - The grid ([`walk`]): from the cube to its 27 parts and into those that are solid, in the order in which the ray meets
+//! - The grid (`walk`): from the cube to its 27 parts and into those that are solid, in the order in which the ray meets
 //!   them. All cells that share a plane share its `t`, bit for bit, so that no ray slips between two of them.
 //! - The field: the distance to the cube, cut by bars of every size. With `aᵢ` the distance of coordinate `i` from the
 //!   middle third of its period,
@@ -51,7 +51,7 @@ impl Menger {
     /// Deepest sponge: 531 441 cells along an edge. A ray along a wall visits them all.
     pub const MOST_DEPTH: u32 = 12;
 
-    /// The sponge about `center` of that edge [m]; depth 0 is the whole cube.
+    /// The sponge about `center` of that edge \[m\]; depth 0 is the whole cube.
     ///
     /// - Errors: numbers that are not finite, an edge that is not positive, a depth above [`Menger::MOST_DEPTH`], cells that rounding
     ///   loses so far from the origin.

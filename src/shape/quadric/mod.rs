@@ -139,7 +139,7 @@ fn largest(xs: &[f64]) -> f64 {
 /// A surface of second degree; unbounded, but for ellipsoids.
 ///
 /// Faces: 0 where `q` grows along the mapping's axis, 1 where it falls: the two sheets over a plane.
-/// Texture coordinates: the other two coordinates of the point, in lengths, not confined to [0,1].
+/// Texture coordinates: the other two coordinates of the point, in lengths, not confined to `[0,1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quadric {
     given: Coefficients,

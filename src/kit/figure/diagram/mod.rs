@@ -103,7 +103,7 @@ impl Diagram {
     pub fn curve(self, points: &[DVec2]) -> Self {
         self.add(Mark::Curve { points: points.to_vec(), line: marks::Line::Surface })
     }
-    /// An arc of an outline from angle `a` to `b` [rad].
+    /// An arc of an outline from angle `a` to `b` \[rad\].
     pub fn arc(self, center: DVec2, radius: f64, a: f64, b: f64) -> Self {
         let points = (0..=96)
             .map(|i| a + (b - a) * f64::from(i) / 96.0)
@@ -154,7 +154,7 @@ impl Diagram {
     pub fn angle(self, vertex: DVec2, from: DVec2, to: DVec2) -> Self {
         self.angle_at(vertex, from, to, 46.0)
     }
-    /// The same at another distance from the vertex [px], where two angles would coincide.
+    /// The same at another distance from the vertex \[px\], where two angles would coincide.
     pub fn angle_at(self, vertex: DVec2, from: DVec2, to: DVec2, radius: f64) -> Self {
         self.add(Mark::Angle { vertex, from, to, radius })
     }

@@ -25,7 +25,7 @@ pub fn rules() -> impl Iterator<Item = &'static Rule> {
 
 /// Largest width or height of a picture [pixels].
 pub const LONGEST_SIDE: u32 = 65_535;
-/// Largest picture [pixels]: 1.5 GiB as three `f64` each.
+/// Largest picture \[pixels\]: 1.5 GiB as three `f64` each.
 pub const MOST_PIXELS: u64 = 1 << 26;
 /// Most cells of an area light, each a shadow ray at every hit.
 pub const MOST_CELLS: u64 = 65_536;

@@ -44,7 +44,7 @@ pub fn write(tree: &Block) -> Result<String, NotWritten> {
     write_moved(tree, &|path| path.to_owned())
 }
 
-/// [`write`] for a file in another folder: the files that the tree names are called what `renamed` says.
+/// [`write()`] for a file in another folder: the files that the tree names are called what `renamed` says.
 pub fn write_moved(tree: &Block, renamed: &dyn Fn(&str) -> String) -> Result<String, NotWritten> {
     let mut writer = Writer { out: String::new(), counts: BTreeMap::new(), renamed };
     let mut tree = tree.clone();

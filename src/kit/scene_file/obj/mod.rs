@@ -24,7 +24,7 @@ use check::Checked;
 use glam::{DVec2, DVec3};
 use std::path::Path;
 
-/// Largest OBJ or MTL file that is read [bytes].
+/// Largest OBJ or MTL file that is read \[bytes\].
 pub const LARGEST_MESH: u64 = 256 << 20;
 
 /// Most findings that are kept of one file.
