@@ -30,6 +30,7 @@ use crate::file::write_atomically;
 use crate::flags::{Flags, PictureFormat, Quality};
 use crate::page;
 use crate::progress::{Progress, Verbosity};
+use crate::stage::RenderSize;
 use clap::{CommandFactory, FromArgMatches, Parser};
 use std::cell::RefCell;
 use std::fmt::Display;
@@ -194,6 +195,22 @@ impl Lesson {
             (None, Some(h)) => (scaled(h, usual.1, usual.0), h.into()),
             (None, None) => usual,
         }
+    }
+
+    /// The size of a picture of the [stage](crate::stage) across the page: of the quality, unless `--width` or
+    /// `--height` says otherwise.
+    pub fn hero(&self) -> RenderSize {
+        self.asked(RenderSize::hero(self.quality(), self.seed()))
+    }
+
+    /// The same for pictures side by side.
+    pub fn panel(&self) -> RenderSize {
+        self.asked(RenderSize::panel(self.quality(), self.seed()))
+    }
+
+    fn asked(&self, usual: RenderSize) -> RenderSize {
+        let (width, height) = self.size((usual.width, usual.height));
+        RenderSize { width, height, ..usual }
     }
 
     /// One of four values, by quality: smoke, draft, standard, final.
