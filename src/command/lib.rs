@@ -8,8 +8,7 @@ mod figures;
 mod render;
 
 use clap::{Parser, Subcommand};
-use lightbench_kit::compare::{self, CompareError};
-use lightbench_kit::file::FileError;
+use lightbench_kit::compare;
 use lightbench_kit::flags::Flags;
 use lightbench_kit::probe;
 use lightbench_kit::progress::say;
@@ -160,10 +159,14 @@ fn probe_table(
 fn compare_pictures(a: &Path, b: &Path, flags: &Flags) -> Result<String, Failure> {
     let stem = |path: &Path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let target = flags.out().join(format!("{}_minus_{}.png", stem(a), stem(b)));
-    compare::compare(a, b, Some(&target)).map_err(|e| match &e {
-        CompareError::File(FileError::Io { path, .. }) if *path == target => Failure::work(e),
-        _ => Failure::input(e),
-    })
+    let report = compare::compare(a, b, Some(&target)).map_err(Failure::input)?;
+    match report.picture {
+        Ok(picture) => Ok(report.table + &picture),
+        Err(e) => {
+            print(&report.table)?;
+            Err(Failure::work(e))
+        }
+    }
 }
 
 /// Checks scene files one after the other; the reports are the result, and a file with problems fails.
