@@ -5,7 +5,7 @@ use std::fmt;
 
 /// Pairs of runs behind a ratio.
 const ROUNDS: usize = 41;
-/// A run is this long at least, so that the clock's grain does not show [s].
+/// A run is this long at least, so that the clock's grain does not show \[s\].
 const SHORTEST_RUN: f64 = 5.0e-4;
 
 /// How many times as long one piece of work takes as another, with the quartiles over interleaved pairs of runs.
@@ -15,7 +15,7 @@ const SHORTEST_RUN: f64 = 5.0e-4;
 pub struct Ratio(pub Spread);
 
 impl Ratio {
-    /// The ratio of paired times [s]; `None` without a pair of positive times.
+    /// The ratio of paired times \[s\]; `None` without a pair of positive times.
     pub fn of_pairs(pairs: &[(f64, f64)]) -> Option<Ratio> {
         let quotients: Vec<f64> =
             pairs.iter().filter(|p| p.0 > 0.0 && p.1 > 0.0).map(|p| p.0 / p.1).collect();
