@@ -1,8 +1,11 @@
 //! Orthonormal bases, rotations, and what they do to normals [B §4, §5.3].
 
 use crate::num::certified::power_of_two_below;
+use crate::num::double_double::difference_of_products;
+use crate::num::expansion::Expansion;
+use crate::num::gamma;
 use crate::num::real::{Real, Triple};
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, Vec3Swizzles};
 
 /// Right, up and forward: unit vectors, pairwise perpendicular, `right × up = −forward`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,14 +152,79 @@ pub fn transform_normal(m: &DMat3, n: DVec3) -> Option<DVec3> {
 
 /// The matrix of [`transform_normal`] but for a positive factor: the cofactors, with the sign of the determinant.
 ///
-/// - Domain: `None` for a matrix that is singular or not finite.
+/// - Domain: `None` for a matrix that is singular or not finite. The sign is exact unless entries of one row and column
+///   lie more than `2³²⁰` apart; cofactors
+///   below 10⁻³⁰⁸ of the largest become 0, as for `diag(10²⁰⁰, 10⁻²⁰⁰, 1)`, which maps (1, 1, 0) to (0, 1, 0).
 pub fn normal_matrix(m: &DMat3) -> Option<DMat3> {
     let largest = m.x_axis.abs().max(m.y_axis.abs()).max(m.z_axis.abs()).max_element();
-    if largest == 0.0 || !largest.is_finite() {
+    if largest == 0.0 || !m.is_finite() {
         return None;
     }
     let (x, y, z) = (m.x_axis / largest, m.y_axis / largest, m.z_axis / largest);
     let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
     let det = x.dot(cofactors.x_axis);
-    (det != 0.0).then(|| cofactors * det.signum())
+    // The six products that the determinant sums, by size: it errs by γ₈ of this, as long as none of them underflows.
+    let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
+    let permanent = ax.dot(ay.yzx() * az.zxy() + ay.zxy() * az.yzx());
+    if permanent > SMALLEST_PERMANENT && det.abs() > gamma(8) * permanent {
+        return Some(cofactors * det.signum());
+    }
+    balanced_normal_matrix(m)
+}
+
+/// `2⁻⁹⁰⁰`: products of three numbers up to 1 that add to this lose nothing to underflow (below `2⁻¹⁰²²`) that a
+/// relative rounding error of `2⁻⁵³` would notice.
+const SMALLEST_PERMANENT: f64 = f64::from_bits((1023 - 900) << 52);
+
+/// The same with the sign of the exact determinant, of the matrix `R m C` whose rows and then columns are scaled by
+/// powers of two to a largest entry in [1, 2): `cof(m)ᵢⱼ` is `cof(R m C)ᵢⱼ rᵢ cⱼ` but for a common positive factor.
+fn balanced_normal_matrix(m: &DMat3) -> Option<DMat3> {
+    let mut a = m.transpose().to_cols_array_2d(); // a[row][column]
+    let (mut rows, mut columns) = ([0; 3], [0; 3]);
+    for i in 0..3 {
+        rows[i] = exponent(a[i].iter().fold(0.0, |most, x| f64::max(most, x.abs())))?;
+        a[i] = a[i].map(|x| times_power(x, -rows[i]));
+    }
+    for j in 0..3 {
+        columns[j] = exponent(a.iter().fold(0.0, |most, row| f64::max(most, row[j].abs())))?;
+        a.iter_mut().for_each(|row| row[j] = times_power(row[j], -columns[j]));
+    }
+    let mut det = Expansion::default();
+    for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+        det.add_triple([a[0][i], a[1][j], a[2][k]]);
+        det.add_triple([-a[0][i], a[1][k], a[2][j]]);
+    }
+    let sign = match det.sign() {
+        0 => return None,
+        sign => f64::from(sign),
+    };
+    let mut entries = [[0.0; 3]; 3];
+    let mut most = i32::MIN;
+    for i in 0..3 {
+        for j in 0..3 {
+            let ([p, q], [s, t]) = ([(i + 1) % 3, (i + 2) % 3], [(j + 1) % 3, (j + 2) % 3]);
+            entries[i][j] = sign * difference_of_products(a[p][s], a[q][t], a[p][t], a[q][s]);
+            if let Some(e) = exponent(entries[i][j].abs()) {
+                most = most.max(e - rows[i] - columns[j]);
+            }
+        }
+    }
+    for i in 0..3 {
+        for j in 0..3 {
+            entries[i][j] = times_power(entries[i][j], -rows[i] - columns[j] - most);
+        }
+    }
+    Some(DMat3::from_cols_array_2d(&entries).transpose())
+}
+
+/// The exponent of the power of two at or next to `x ≥ 0`; none of 0.
+fn exponent(x: f64) -> Option<i32> {
+    (x > 0.0).then(|| x.log2().floor() as i32)
+}
+
+/// `x 2ᵉ`, in steps that are numbers themselves.
+fn times_power(x: f64, e: i32) -> f64 {
+    let step = e.clamp(-1000, 1000);
+    let x = x * 2f64.powi(step);
+    if step == e || x == 0.0 || !x.is_finite() { x } else { times_power(x, e - step) }
 }

@@ -12,8 +12,7 @@ mod target;
 mod usage;
 
 use clap::{FromArgMatches, Parser, Subcommand};
-use lightbench_kit::compare::{self, CompareError};
-use lightbench_kit::file::FileError;
+use lightbench_kit::compare;
 use lightbench_kit::flags::Flags;
 use lightbench_kit::probe;
 use lightbench_kit::progress::{say, stop_code};
@@ -206,10 +205,14 @@ fn compare_pictures(a: &Path, b: &Path, flags: &Flags) -> Result<String, Failure
         Out::File(file) => file,
         Out::Folder(folder) => folder.join(format!("{}_minus_{}.png", stem(a), stem(b))),
     };
-    compare::compare(a, b, Some(&target)).map_err(|e| match &e {
-        CompareError::File(FileError::Io { path, .. }) if *path == target => Failure::work(e),
-        _ => Failure::input(e),
-    })
+    let report = compare::compare(a, b, Some(&target)).map_err(Failure::input)?;
+    match report.picture {
+        Ok(picture) => Ok(report.table + &picture),
+        Err(e) => {
+            print(&report.table)?;
+            Err(Failure::work(e))
+        }
+    }
 }
 
 /// Checks scene files one after the other; the reports are the result, and a file with problems fails. `--quiet` leaves

@@ -13,7 +13,7 @@ use lightbench_kit::file::{Format, write_as, write_atomically};
 use lightbench_kit::flags::{Flags, PictureFormat, Quality, quoted};
 use lightbench_kit::progress::{Progress, Verbosity, say, stop_flag};
 use lightbench_kit::replay;
-use lightbench_kit::scene_file::{Color, MOST_PIXELS, SceneFile, read_file};
+use lightbench_kit::scene_file::{self, Color, MOST_PIXELS, SceneFile, read_file};
 use std::fmt::Write;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ pub(super) struct RenderArgs {
     #[arg(long, value_enum)]
     tone: Option<Tone>,
     /// Instead of a picture: every ray of one pixel, as text and as a drawing (.svg)
-    #[arg(long, value_name = "X,Y", value_parser = pixel)]
+    #[arg(long, value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
     pixel: Option<(usize, usize)>,
     /// Name of the file in the folder, for a single scene [default: that of the scene]
     #[arg(long)]
@@ -86,7 +86,9 @@ impl Tone {
 fn pixel(text: &str) -> Result<(usize, usize), String> {
     let parts: Option<(usize, usize)> =
         text.split_once(',').and_then(|(x, y)| Some((x.trim().parse().ok()?, y.trim().parse().ok()?)));
-    parts.ok_or_else(|| format!("expected column,row such as 256,128, found `{text}`"))
+    parts.ok_or_else(|| {
+        format!("expected column,row such as 256,128, both from 0; found {}", scene_file::quoted(text))
+    })
 }
 
 /// Most rays that `--pixel` keeps; about 40 MB of text.

@@ -1,7 +1,7 @@
 //! Film: linear floating-point images, their files, their comparison.
 //!
 //! An [`Image`] holds radiance, unbounded and linear. What is out of a file's range is dealt with
-//! once, at the end: [`tone`] maps the picture, [`mod@file`] stores it, [`metric`] compares two.
+//! once, at the end: [`tone`] maps the picture, the kit stores it, [`metric`] compares two.
 
 pub mod error_picture;
 pub mod metric;

@@ -19,10 +19,19 @@ pub enum CompareError {
     Sizes { a: PathBuf, a_size: (usize, usize), b: PathBuf, b_size: (usize, usize) },
 }
 
-/// Compares the picture in `a` with the reference in `b`, and answers with a table for the terminal.
+/// What a comparison found.
+#[derive(Debug)]
+pub struct Report {
+    /// The numbers, as a table for the terminal.
+    pub table: String,
+    /// The error picture: what its colours mean and its path; or why it could not be written.
+    pub picture: Result<String, FileError>,
+}
+
+/// Compares the picture in `a` with the reference in `b`.
 ///
 /// With `out`, the signed error goes there as a picture, whose PNG text says what its colours mean.
-pub fn compare(a: &Path, b: &Path, out: Option<&Path>) -> Result<String, CompareError> {
+pub fn compare(a: &Path, b: &Path, out: Option<&Path>) -> Result<Report, CompareError> {
     if let Some(out) = out {
         // A wrong ending is known before any work.
         Format::from_path(out)?;
@@ -32,18 +41,18 @@ pub fn compare(a: &Path, b: &Path, out: Option<&Path>) -> Result<String, Compare
     if a_size != b_size {
         return Err(CompareError::Sizes { a: a.into(), a_size, b: b.into(), b_size });
     }
-    let mut text = table(a, b, a_size, &metric::compare(&picture, &reference));
-    if let Some(out) = out {
+    let table = table(a, b, a_size, &metric::compare(&picture, &reference));
+    let picture = out.map_or(Ok(String::new()), |out| {
         let drawn = signed_error(&picture, &reference);
         file::write(out, &drawn.image, &legend(a, b, &drawn))?;
-        text += &format!(
+        Ok(format!(
             "\nerror picture  blue −{s:.4e}, white 0, red +{s:.4e}; {n} pixel(s) beyond\n{}\n",
             out.display(),
             s = drawn.full_scale,
             n = drawn.saturated,
-        );
-    }
-    Ok(text)
+        ))
+    });
+    Ok(Report { table, picture })
 }
 
 fn size(image: &Image) -> (usize, usize) {

@@ -39,7 +39,7 @@ pub struct Flags {
     #[arg(long, value_enum)]
     pub quality: Option<Quality>,
     /// Seed of every random number: same seed, same bytes [default: 0]
-    #[arg(long)]
+    #[arg(long, value_name = "N", value_parser = seed, allow_negative_numbers = true)]
     pub seed: Option<u64>,
     /// Number of threads, at most 1024 [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -82,6 +82,10 @@ pub enum PictureFormat {
     Svg,
     /// Vectors for LaTeX, for charts and diagrams of lessons
     Pdf,
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("expected a whole number from 0 to {}", u64::MAX))
 }
 
 impl Flags {

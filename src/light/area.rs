@@ -150,12 +150,15 @@ impl AreaLight {
     }
 
     /// What one of `n` rays brings to a facing surface, but for the geometry: irradiance [W m⁻²] of the documents' lights
-    /// where the attenuation's factor is 1; `radiance · area / n`; `radiance · solid_angle / n`.
-    pub fn share(&self, solid_angle: f64) -> Rgb {
+    /// where the attenuation's factor is 1; `radiance · scale² area / n`, for lengths multiplied by `scale`;
+    /// `radiance · solid_angle / n`.
+    pub fn share(&self, solid_angle: f64, scale: f64) -> Rgb {
         let n = f64::from(self.samples());
         match (self.emission, self.measure()) {
             (Emission::Even { color, .. }, _) => color * (PI / n),
-            (Emission::Diffuse { radiance }, Measure::Area) => radiance * (self.emitter.area() / n),
+            (Emission::Diffuse { radiance }, Measure::Area) => {
+                radiance * (self.emitter.area_scaled(scale) / n)
+            }
             (Emission::Diffuse { radiance }, Measure::SolidAngle) => radiance * (solid_angle / n),
         }
     }

@@ -95,13 +95,18 @@ pub enum Emitter {
 impl Emitter {
     /// Area \[m²\].
     pub fn area(&self) -> f64 {
+        self.area_scaled(1.0)
+    }
+
+    /// Area of the surface enlarged `scale` times: `scale² area`, also where the area itself is out of range.
+    pub fn area_scaled(&self, scale: f64) -> f64 {
         match self {
-            Emitter::Rectangle(r) => 4.0 * r.half_width.length() * r.half_height.length(),
+            Emitter::Rectangle(r) => 4.0 * (r.half_width * scale).length() * (r.half_height * scale).length(),
             Emitter::Triangle(t) => {
                 let [a, b, c] = t.corners();
-                0.5 * (b - a).cross(c - a).length()
+                0.5 * ((b - a) * scale).cross((c - a) * scale).length()
             }
-            Emitter::Sphere(s) => 4.0 * PI * s.radius() * s.radius(),
+            Emitter::Sphere(s) => 4.0 * PI * (s.radius() * scale) * (s.radius() * scale),
         }
     }
 

@@ -148,15 +148,17 @@ impl SpotLight {
 
     /// Share of the point's light that is let out in a direction (unit).
     ///
-    /// - Domain: unit vectors; in the rim itself of a hard-edged cone, 0.
+    /// - Domain: unit vectors. The rim of the full cone belongs to it: that of a hard-edged cone has share 1, and
+    ///   a full cone of 180° is the whole sphere, its back included.
     /// - NaN in, NaN out.
     pub fn share(&self, direction: DVec3) -> f64 {
-        // 1 − cos θ = |direction − axis|²/2 keeps the digits of small angles.
+        // 1 − cos θ = |direction − axis|²/2 keeps the digits of small angles; rounded unit vectors can exceed 2.
         let versine = 0.5 * (direction - self.axis).length_squared();
-        if versine >= self.edge {
-            0.0
-        } else if versine <= self.full {
+        let versine = if versine > 2.0 { 2.0 } else { versine };
+        if versine <= self.full {
             1.0
+        } else if versine >= self.edge {
+            0.0
         } else {
             let s = (self.edge - versine) / (self.edge - self.full);
             s * s * (3.0 - 2.0 * s)

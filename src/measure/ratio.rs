@@ -7,7 +7,7 @@ use std::hint::black_box;
 
 /// Rounds behind a ratio.
 pub const ROUNDS: usize = 41;
-/// A run is this long at least, so that the clock's grain does not show [s].
+/// A run is this long at least, so that the clock's grain does not show \[s\].
 const SHORTEST_RUN: f64 = 5.0e-4;
 
 /// Times of several pieces of work that took turns.
@@ -65,7 +65,7 @@ impl Ratio {
     /// Rounds that a finding needs at least: of 16, twelve alike come by chance once in 26 on either side.
     pub const FEWEST: usize = 16;
 
-    /// The ratio of paired times [s]; `None` without a pair of positive times.
+    /// The ratio of paired times \[s\]; `None` without a pair of positive times.
     pub fn of_pairs(pairs: &[(f64, f64)]) -> Option<Ratio> {
         let quotients: Vec<f64> =
             pairs.iter().filter(|p| p.0 > 0.0 && p.1 > 0.0).map(|p| p.0 / p.1).collect();

@@ -22,7 +22,7 @@ use glam::{DVec2, DVec3};
 /// A floor and a wall without end, square to each other, and their rounded corner.
 ///
 /// Normals point into the air. Texture coordinates: `u` the length along the corner; `v` on the floor the distance from
-/// the wall, on the wall the height, on the quarter cylinder the angle [rad] from the floor's end.
+/// the wall, on the wall the height, on the quarter cylinder the angle \[rad\] from the floor's end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cove {
     floor: Plane,

@@ -35,7 +35,13 @@ fn what_cannot_be_compared() {
     bench.line("compare a/s.png empty.png").refused(2, &["empty.png: "]);
     bench.line("compare a/s.png half.png").refused(2, &["half.png: "]);
     bench.line("compare a/s.png a").refused(2, &["a: "]);
-    bench.line("compare a/s.png b/s.png --out s.scene").refused(1, &["s.scene"]);
+    let ran = bench.line("compare a/s.png b/s.png --out s.scene");
+    assert!(
+        ran.code == Some(1) && ran.out.contains("RMSE") && ran.err.contains("s.scene"),
+        "{}{}",
+        ran.out,
+        ran.err
+    );
     assert!(!bench.folder.join("out").exists());
 }
 

@@ -89,6 +89,38 @@ fn a_bad_row_is_named_by_line_and_column_and_nothing_is_answered() {
     }
 }
 
+/// The domain of colours is stated, and checked.
+#[test]
+fn a_colour_outside_the_cube_is_refused() {
+    for (row, place) in
+        [("-1e-20,0,0", "column 1 (`r`)"), ("0,1.5,0", "column 2 (`g`)"), ("0,0,-1", "column 3 (`b`)")]
+    {
+        let table = format!("r,g,b\n1,0,-0\n{row}\n");
+        let ran = Bench::new("probe_colour").fed(&["probe", "colour_convert"], table.as_bytes());
+        ran.refused(2, &[format!("line 3, {place}").as_str(), "[0,1]"]);
+    }
+}
+
+/// What a table holds reaches the terminal escaped and shortened.
+#[test]
+fn cells_in_messages_are_escaped_and_shortened() {
+    let bench = Bench::new("probe_escaped");
+    let long = "9".repeat(1_000_000);
+    for cell in ["\u{1b}[31mred", &long] {
+        for table in [
+            format!("{HEADER}\n{ROW}\n{cell}x{}\n", &ROW[1..]),
+            format!("{cell},{HEADER}\n").replace("oy", ""),
+        ] {
+            let ran = bench.fed(&["probe", "ray_sphere"], table.as_bytes());
+            assert_eq!(ran.code, Some(2));
+            assert!(!ran.err.contains('\u{1b}') && ran.err.len() < 1000, "{} bytes", ran.err.len());
+        }
+    }
+    let view =
+        "ex,ey,ez,tx,ty,tz,ux,uy,uz,fov_deg,fov_axis,width,height,px,py\n0,0,5,0,0,0,0,1,0,60,v,2.0,2,0,0\n";
+    bench.fed(&["probe", "pinhole"], view.as_bytes()).refused(2, &["(`width`)", "a whole number", "`2.0`"]);
+}
+
 #[test]
 fn bytes_that_are_no_text() {
     let bench = Bench::new("probe_bytes");

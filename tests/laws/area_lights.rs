@@ -250,6 +250,55 @@ fn a_model_shows_f_times_irradiance_times_cosine() {
     assert!((shown - truth).abs().max_element() <= gamma(1000) * truth.max_element(), "{shown} {truth}");
 }
 
+/// A picture does not depend on the unit of length, though `d⁴` has a range: areas of 10⁻³⁰⁰ m² too.
+#[test]
+fn area_sampling_depends_on_no_scale() {
+    let picture = Picture { width: 1, height: 1, samples: 1, seed: 0 };
+    for (name, emitter) in [
+        (
+            "triangle",
+            Emitter::Triangle(
+                Triangle::new(dvec3(-1.0, 2.0, -1.0), dvec3(1.0, 2.0, -1.0), dvec3(0.0, 2.0, 1.0))
+                    .expect("a triangle"),
+            ),
+        ),
+        (
+            "rectangle",
+            Rectangle::facing(DVec3::Y * 2.0, DVec3::NEG_Y, 0.0, DVec2::ONE).expect("a rectangle").into(),
+        ),
+        ("sphere", Sphere::new(DVec3::Y * 2.0, 0.5).expect("a sphere").into()),
+    ] {
+        let shown = |scale: f64| {
+            let emitter: Emitter = match emitter {
+                Emitter::Triangle(t) => {
+                    let [a, b, c] = t.corners().map(|p| p * scale);
+                    Triangle::new(a, b, c).expect("a triangle").into()
+                }
+                Emitter::Rectangle(_) => {
+                    Rectangle::facing(DVec3::Y * 2.0 * scale, DVec3::NEG_Y, 0.0, DVec2::splat(scale))
+                        .expect("a rectangle")
+                        .into()
+                }
+                Emitter::Sphere(_) => {
+                    Sphere::new(DVec3::Y * 2.0 * scale, 0.5 * scale).expect("a sphere").into()
+                }
+            };
+            let light = AreaLight::new(emitter, Emission::diffuse(Rgb::ONE)).sampled(64, Pattern::Centres);
+            let mut scene = floor(matt(), light.into());
+            scene.camera =
+                Camera::new(dvec3(0.0, scale, 0.0), DVec3::ZERO, DVec3::Z, FieldOfView::Vertical(1e-5))
+                    .expect("a camera");
+            render(&scene, &Local::default(), picture).image.get(0, 0).x
+        };
+        let one = shown(1.0);
+        assert!(one > 0.01, "{name} {one}");
+        for scale in [1e-150, 1e-100, 1e-80, 1e80, 1e100, 1e150] {
+            let found = shown(scale);
+            assert!((found - one).abs() <= gamma(1000) * one, "{name} {scale:e}: {found} for {one}");
+        }
+    }
+}
+
 /// A viewer sees the documents' lights from both sides, diffuse ones from the front, nothing from inside a sphere.
 #[test]
 fn lights_are_seen_from_their_front() {

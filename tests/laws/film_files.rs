@@ -300,7 +300,8 @@ fn compare_prints_a_table_and_draws_the_error() {
     picture.set(7, 2, Rgb::new(0.5, 0.25, 0.5));
     write(&a, &picture, &[]).expect("written");
     write(&b, &reference, &[]).expect("written");
-    let text = compare(&a, &b, Some(&out)).expect("a table");
+    let report = compare(&a, &b, Some(&out)).expect("a table");
+    let text = report.table + &report.picture.expect("written");
     assert!(text.contains("-2.5000e-1  at column 7, row 2, green"), "{text}");
     assert!(text.ends_with(&format!("{}\n", out.display())), "{text}");
     let drawn = read(&out).expect("a picture");
@@ -308,7 +309,7 @@ fn compare_prints_a_table_and_draws_the_error() {
     assert!(drawn.get(7, 2).z > 2.0 * drawn.get(7, 2).x, "too dark is blue");
     let bytes = fs::read(&out).expect("bytes");
     assert!(String::from_utf8_lossy(&bytes).contains("blue -2.5e-1, white 0, red 2.5e-1"));
-    let same = compare(&a, &a, None).expect("a table");
+    let same = compare(&a, &a, None).expect("a table").table;
     assert!(same.contains("inf (identical)") && same.contains("1.000000"), "{same}");
 }
 

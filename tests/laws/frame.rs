@@ -73,6 +73,25 @@ proptest! {
     }
 }
 
+/// 1 … 9 is singular; the nearest numbers to 0.1 … 0.9 are not: their determinant is 4.2·10⁻¹⁸ exactly, so that the
+/// rounded one may have either sign. Powers of two scale nothing away.
+#[test]
+fn normals_take_the_sign_of_the_exact_determinant() {
+    let rows = |r: [f64; 9]| DMat3::from_cols_array(&r).transpose();
+    let whole = rows([1., 2., 3., 4., 5., 6., 7., 8., 9.]);
+    assert_eq!(transform_normal(&whole, DVec3::Z), None);
+    let tenths = rows([0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9]);
+    let found = transform_normal(&tenths, DVec3::Z).expect("determinant 4.2e-18");
+    // The cofactors of the last column: −3, 6, −3 hundredths, each to a few roundings of products up to 0.48.
+    let expected = DVec3::new(-1.0, 2.0, -1.0) / 6f64.sqrt();
+    assert!((found - expected).length() <= gamma(8) * 0.5 / 0.03, "{found}");
+    assert_eq!(transform_normal(&rows([1., 0., 0., 0., 1., 0., 0., 0., 0.]), DVec3::Z), None);
+    let stretch = DMat3::from_diagonal(DVec3::new(1e200, 1e-200, 1.0));
+    assert_eq!(transform_normal(&stretch, DVec3::new(1.0, 1.0, 0.0)), Some(DVec3::Y));
+    let mirror = DMat3::from_diagonal(DVec3::new(1e-300, 1e-300, -1e-300));
+    assert_eq!(transform_normal(&mirror, DVec3::Z), Some(-DVec3::Z));
+}
+
 #[test]
 fn up_parallel_to_the_view_still_gives_a_frame() {
     for up in [DVec3::Y, DVec3::NEG_Y, DVec3::ZERO, DVec3::new(1e-12, 1.0, 0.0)] {

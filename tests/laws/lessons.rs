@@ -184,9 +184,14 @@ fn formulas_read_on_a_terminal() {
 }
 
 /// What is committed in `figures/` is whole and small: every lesson's record, every file it names, the pages that
-/// are made of them, and nothing else.
+/// are made of them, and nothing else. `BLESS=1` makes the pages again from the records.
 #[test]
 fn the_figures_are_complete() {
+    let bless = |name: &str, text: &str| {
+        if std::env::var_os("BLESS").is_some() {
+            fs::write(format!("figures/{name}"), text).expect("a page");
+        }
+    };
     let read = |name: &str| {
         fs::read_to_string(format!("figures/{name}")).unwrap_or_else(|e| panic!("figures/{name}: {e}"))
     };
@@ -219,6 +224,7 @@ fn the_figures_are_complete() {
         let text = essay(entry);
         let essay = text.as_deref().map(|t| Essay::parse(t).expect("an essay"));
         let made = page::lesson(entry, essay.as_ref(), &record);
+        bless(&format!("{}.html", entry.stem()), &made);
         assert!(
             read(&format!("{}.html", entry.stem())) == made,
             "the page of lesson {} is not made of its record",
@@ -226,6 +232,8 @@ fn the_figures_are_complete() {
         );
         records.push(record);
     }
+    bless("index.html", &page::index(&records));
+    bless("glossary.html", &page::glossary());
     let index = read("index.html");
     assert!(index == page::index(&records), "figures/index.html is not made from the records beside it");
     assert!(read("glossary.html") == page::glossary());

@@ -178,6 +178,21 @@ proptest! {
     }
 }
 
+/// The rim belongs to the full cone, also where rounded unit vectors lie more than 2 apart.
+#[test]
+fn a_full_cone_of_180_degrees_is_a_point_light() {
+    let mut sampler = Sampler::new(11, 0, 0);
+    for _ in 0..1000 {
+        let axis = uniform_sphere(sampler.next_2d());
+        let whole = spot(axis, PI, PI);
+        for direction in [axis, -axis, whole.axis(), -whole.axis(), uniform_sphere(sampler.next_2d())] {
+            assert_eq!(whole.share(direction), 1.0, "{axis:?} {direction:?}");
+        }
+    }
+    let hard = spot(DVec3::X, PI / 2.0, PI / 2.0);
+    assert_eq!(hard.share(-DVec3::X), 0.0);
+}
+
 #[test]
 fn cones_that_cannot_be() {
     let point = PointLight::of_color(DVec3::ZERO, Rgb::ONE);

@@ -185,7 +185,7 @@ impl<'a> Essay<'a> {
         })
     }
 
-    /// The line [from 1] of a place in the source.
+    /// The line \[from 1\] of a place in the source.
     fn line(&self, at: usize) -> usize {
         line_of(self.source, at)
     }

@@ -249,7 +249,7 @@ pub struct Drawing {
     pub width: f64,
     pub height: f64,
     pub items: Vec<Item>,
-    /// The heading at the top: down to where it reaches [px], and how many of the first items it is.
+    /// The heading at the top: down to where it reaches \[px\], and how many of the first items it is.
     pub heading: (f64, usize),
 }
 
@@ -277,7 +277,7 @@ impl Drawing {
         self.width = self.width.max(below.width);
         self
     }
-    /// Size of the smallest text [px]; `None` if there is none.
+    /// Size of the smallest text \[px\]; `None` if there is none.
     pub fn smallest_text(&self) -> Option<f64> {
         fn sizes(items: &[Item], smallest: &mut f64) {
             for item in items {
@@ -383,7 +383,7 @@ pub fn arc(center: DVec2, radius: f64, a: f64, b: f64) -> Vec<DVec2> {
         .collect()
 }
 
-/// Moves marks [px].
+/// Moves marks \[px\].
 fn shift(items: &mut [Item], by: DVec2) {
     for item in items {
         match item {

@@ -8,9 +8,9 @@ use crate::flags::PictureFormat;
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-/// A figure with more pixels than this in it is a picture: it becomes a PNG [bytes of the SVG].
+/// A figure with more pixels than this in it is a picture: it becomes a PNG \[bytes of the SVG\].
 const LARGEST_RASTER: usize = 200_000;
-/// Data beyond this are left out: the figure itself holds them [bytes].
+/// Data beyond this are left out: the figure itself holds them \[bytes\].
 const LARGEST_DATA: usize = 100_000;
 
 /// A rendered picture and its words.

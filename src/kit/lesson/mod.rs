@@ -185,7 +185,7 @@ impl Lesson {
         &self.cli.flags
     }
 
-    /// Size of a render [px]: `--width` and `--height` if given (one alone keeps the proportions), else `usual`.
+    /// Size of a render \[px\]: `--width` and `--height` if given (one alone keeps the proportions), else `usual`.
     pub fn size(&self, usual: (usize, usize)) -> (usize, usize) {
         let scaled =
             |given: u16, from: usize, to: usize| (usize::from(given) * to).div_ceil(from.max(1)).max(1);

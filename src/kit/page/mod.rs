@@ -10,7 +10,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 const STYLE: &str = include_str!("page.css");
-/// Text in a figure is at least this large on the narrowest screen [px]; the figure scrolls in its frame before it
+/// Text in a figure is at least this large on the narrowest screen \[px\]; the figure scrolls in its frame before it
 /// gets smaller.
 const LEGIBLE: f64 = 11.0;
 

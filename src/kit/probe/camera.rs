@@ -51,7 +51,7 @@ fn pinhole(row: &Row, _: &str) -> Result<Vec<Cell>, RowError> {
     };
     let size = |column| match row.text(column).parse::<u32>() {
         Ok(n) if n > 0 => Ok(n as usize),
-        _ => Err(row.error(column, "a positive number of pixels")),
+        _ => Err(row.error(column, &format!("a whole number of pixels, from 1 to {}", u32::MAX))),
     };
     let camera = Camera::new(row.vector("e")?, row.vector("t")?, row.vector("u")?, field_of_view)
         .map_err(|e| row.error("ex", &format!("a camera ({e})")))?;

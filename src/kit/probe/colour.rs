@@ -54,7 +54,11 @@ pub const COLOUR_CONVERT: Topic = Topic {
 };
 
 fn colour_convert(row: &Row, _method: &str) -> Result<Vec<Cell>, RowError> {
-    let rgb = Rgb::new(row.number("r")?, row.number("g")?, row.number("b")?);
+    let channel = |column| match row.number(column)? {
+        x if (0.0..=1.0).contains(&x) => Ok(x),
+        _ => Err(row.error(column, "a number in [0,1]")),
+    };
+    let rgb = Rgb::new(channel("r")?, channel("g")?, channel("b")?);
     let (hsv, hls) = (hsv_from_rgb(rgb), hls_from_rgb(rgb));
     let painters =
         [[degrees(hsv.hue), hsv.saturation, hsv.value], [degrees(hls.hue), hls.lightness, hls.saturation]];

@@ -15,6 +15,7 @@ mod surface;
 mod torus;
 
 use crate::ray::Ray;
+use crate::scene_file::{quoted, quoted_name};
 use glam::DVec3;
 use std::fmt::Write;
 
@@ -143,7 +144,7 @@ impl Row<'_> {
 
     pub fn error(&self, column: &str, expected: &str) -> RowError {
         let found = self.text(column);
-        let found = if found.is_empty() { "nothing".to_string() } else { format!("`{found}`") };
+        let found = if found.is_empty() { "nothing".to_string() } else { quoted(found) };
         RowError { column: column.to_string(), expected: expected.to_string(), found }
     }
 }
@@ -151,9 +152,9 @@ impl Row<'_> {
 /// Why a table was not answered.
 #[derive(Debug, thiserror::Error)]
 pub enum ProbeError {
-    #[error("no topic is called `{found}`; expected one of: {expected}")]
+    #[error("no topic is called {}; expected one of: {expected}", quoted(found))]
     UnknownTopic { found: String, expected: String },
-    #[error("topic {topic} has no method `{found}`; expected {expected}")]
+    #[error("topic {topic} has no method {}; expected {expected}", quoted(found))]
     UnknownMethod { topic: &'static str, found: String, expected: String },
     #[error(
         "line {line}: the header lacks the column `{column}` of topic {topic}; expected {expected}; found {found}"
@@ -174,6 +175,16 @@ pub enum ProbeError {
 /// The names of all topics, comma by comma.
 fn names<'a>(all: impl Iterator<Item = &'a str>) -> String {
     all.collect::<Vec<_>>().join(", ")
+}
+
+/// Most names of a header that a message lists.
+const MOST_NAMES: usize = 32;
+
+/// The names in a header, each escaped and shortened, as far as a message lists them.
+fn header_names(header: &csv::StringRecord) -> String {
+    let shown: Vec<String> = header.iter().take(MOST_NAMES).map(quoted_name).collect();
+    let rest = if header.len() > MOST_NAMES { ", …" } else { "" };
+    format!("{}{rest}", shown.join(", "))
 }
 
 /// The topic of that name.
@@ -219,7 +230,7 @@ fn places(topic: &Topic, header: &csv::StringRecord, line: u64) -> Result<Vec<us
         let mut found = header.iter().enumerate().filter(|(_, name)| *name == column).map(|(i, _)| i);
         let Some(place) = found.next() else {
             let expected = names(topic.inputs.iter().map(|i| i.0));
-            let found = if header.is_empty() { "nothing".to_string() } else { names(header.iter()) };
+            let found = if header.is_empty() { "nothing".to_string() } else { header_names(header) };
             return Err(ProbeError::MissingColumn { line, topic: topic.name, column, expected, found });
         };
         match found.next() {

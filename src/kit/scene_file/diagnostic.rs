@@ -202,7 +202,12 @@ const LONGEST_QUOTE: usize = 40;
 
 /// A piece of the file inside a message: in back quotes, shortened, control characters escaped.
 pub fn quoted(text: &str) -> String {
-    let mut out = String::from("`");
+    format!("`{}`", quoted_name(text))
+}
+
+/// The same without the quotes.
+pub fn quoted_name(text: &str) -> String {
+    let mut out = String::new();
     for (i, c) in text.chars().enumerate() {
         if i == LONGEST_QUOTE {
             out.push('…');
@@ -213,7 +218,6 @@ pub fn quoted(text: &str) -> String {
             false => out.extend(c.escape_default()),
         }
     }
-    out.push('`');
     out
 }
 

@@ -24,7 +24,7 @@ mod token;
 mod value;
 
 pub use blocks::MOST_PIXELS;
-pub use diagnostic::{Diagnostic, Diagnostics, Place, Severity, Span};
+pub use diagnostic::{Diagnostic, Diagnostics, Place, Severity, Span, quoted, quoted_name};
 pub use reference::reference;
 pub use render::Color;
 pub use source::{LARGEST_FILE, ReadError, read_bytes, read_file};

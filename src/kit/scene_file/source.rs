@@ -1,6 +1,6 @@
 //! From a file on disk to its text.
 
-use super::diagnostic::{Diagnostic, Diagnostics};
+use super::diagnostic::{Diagnostic, Diagnostics, Span};
 use super::render::Color;
 use super::{SceneFile, read};
 use std::fs::File;
@@ -63,6 +63,27 @@ fn contents(path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
 pub(super) fn text(path: &Path, most: u64) -> Result<String, ReadError> {
     let wrong = |bytes: &[u8], at| ReadError::Wrong(not_utf8(bytes, at, &path.display().to_string()));
     String::from_utf8(contents(path, most)?).map_err(|e| wrong(e.as_bytes(), e.utf8_error().valid_up_to()))
+}
+
+/// The text of a file of at most so many bytes, and where its characters stand that are no UTF-8: such bytes are read as
+/// Latin-1, each a character of its own.
+///
+/// - Errors: a file that cannot be read; UTF-16.
+pub(super) fn text_or_latin1(path: &Path, most: u64) -> Result<(String, Vec<Span>), ReadError> {
+    let bytes = contents(path, most)?;
+    if matches!(bytes[..], [0xff, 0xfe, ..] | [0xfe, 0xff, ..]) {
+        return Err(ReadError::Wrong(not_utf8(&bytes, 0, &path.display().to_string())));
+    }
+    let (mut text, mut foreign) = (String::with_capacity(bytes.len()), Vec::new());
+    for chunk in bytes.utf8_chunks() {
+        text.push_str(chunk.valid());
+        for &byte in chunk.invalid() {
+            let start = text.len();
+            text.push(char::from(byte));
+            foreign.push(start..text.len());
+        }
+    }
+    Ok((text, foreign))
 }
 
 /// Reads a scene from bytes, which must be UTF-8.

@@ -40,7 +40,7 @@ pub fn diffuse(reflectance: Rgb) -> Material {
 /// than comes in.
 ///
 /// # Panics
-/// If the reflectance is negative or not finite, or the roughness outside [0.05,1]: below, lights of this stage would need
+/// If the reflectance is negative or not finite, or the roughness outside \[0.05,1\]: below, lights of this stage would need
 /// more points than it has.
 pub fn glossy(reflectance: Rgb, roughness: f64) -> Material {
     assert!((0.05..=1.0).contains(&roughness), "a coat of roughness {roughness}");

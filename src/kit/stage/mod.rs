@@ -39,7 +39,7 @@ pub const BRIGHTEST: f64 = 0.8;
 const SLOPE: [f64; 2] = [18.0 / 50.0, 12.0 / 50.0];
 /// Where in the picture the subject's centre stands, in shares of its width and height from the upper left.
 const AT: [f64; 2] = [0.43, 0.47];
-/// Wall behind the subject's centre, and the radius of its joint with the ground [subject radii].
+/// Wall behind the subject's centre, and the radius of its joint with the ground \[subject radii\].
 const WALL: f64 = 9.0;
 const JOINT: f64 = 7.0;
 
@@ -107,13 +107,13 @@ impl Stage {
         Stage { ground_material: material, ..self }
     }
 
-    /// Turns camera, lights and wall together about the subject, counter-clockwise from above [degrees]; at 0 the camera
+    /// Turns camera, lights and wall together about the subject, counter-clockwise from above \[degrees\]; at 0 the camera
     /// stands along z.
     pub fn seen_from(self, azimuth: f64) -> Self {
         Stage { azimuth, ..self }
     }
 
-    /// The camera's height over the subject [degrees, at most 80]: 20 unless told otherwise.
+    /// The camera's height over the subject \[degrees, at most 80\]: 20 unless told otherwise.
     pub fn seen_from_above(self, elevation: f64) -> Self {
         assert!((0.0..=80.0).contains(&elevation), "a camera {elevation}° above the subject");
         Stage { elevation, ..self }
@@ -163,7 +163,7 @@ impl Stage {
         [DVec3::new(cos, 0.0, -sin), DVec3::Y, DVec3::new(sin, 0.0, cos)]
     }
 
-    /// A point by its coordinates in [`Stage::frame`] from the subject's foot [subject radii].
+    /// A point by its coordinates in [`Stage::frame`] from the subject's foot \[subject radii\].
     fn at(&self, right: f64, up: f64, front: f64) -> DVec3 {
         let [x, y, z] = self.frame();
         DVec3 { y: self.ground, ..self.center } + (x * right + y * up + z * front) * self.radius

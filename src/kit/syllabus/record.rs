@@ -19,12 +19,12 @@ pub struct FigureRecord {
     pub version: String,
     /// File names, the one to show first.
     pub files: Vec<String>,
-    /// Size of the picture [px]; 0 for a table.
+    /// Size of the picture \[px\]; 0 for a table.
     pub width: f64,
     pub height: f64,
-    /// Height of the heading drawn at the picture's top [px]: the page has the heading as text.
+    /// Height of the heading drawn at the picture's top \[px\]: the page has the heading as text.
     pub heading: f64,
-    /// Size of the smallest text in the picture [px]; 0 if there is none.
+    /// Size of the smallest text in the picture \[px\]; 0 if there is none.
     pub text: f64,
     /// The table itself, as HTML.
     #[serde(default, skip_serializing_if = "String::is_empty")]

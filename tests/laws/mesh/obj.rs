@@ -61,6 +61,49 @@ const HOSTILE: &[(&str, usize, &[&str])] = &[
     ("f 1 2 3\u{0}", 7, &["is not the index"]),
 ];
 
+/// 3ds Max and Assimp call materials `Material #25`, and some exporters begin a name with `#`.
+#[test]
+fn a_name_may_hold_and_begin_with_a_number_sign() {
+    let library =
+        "newmtl Material #1\nKd 1 0 0\nnewmtl Material #25\nKd 0 1 0 # green\nnewmtl #3\nKd 0 0 1\n";
+    let find = |name: &str| (name == "a #1.mtl").then(|| Ok((name.to_string(), library.to_string())));
+    let faces = "usemtl Material #1\nf 1 2 3\nusemtl Material #25\nf 1 2 3 # a comment\nusemtl #3\nf 1 2 3\n";
+    let file = read(&format!("mtllib a #1.mtl\n{HEAD}{faces}"), "t.obj", &find);
+    assert!(file.remarks.is_empty(), "{}", file.remarks.render(Color::Never));
+    let names: Vec<&str> = file.materials.iter().map(|m| &m.name[..]).collect();
+    assert_eq!(names, ["Material #1", "Material #25", "#3"]);
+    assert_eq!(file.polygons.parts, [1, 2, 3]);
+}
+
+#[test]
+fn seven_numbers_of_a_point_are_noted() {
+    let file = right("v 0 0 0 2 1 0 0\nv 2 0 0 2 1 0 0\nv 0 2 0 2 1 0 0\nf 1 2 3\n");
+    let text = file.remarks.render(Color::Never);
+    assert_eq!(text.matches("read as x y z w r g b").count(), 1, "{text}");
+    assert_eq!(file.polygons.points[1], dvec3(1.0, 0.0, 0.0));
+}
+
+/// A byte outside UTF-8 in a comment concerns nobody; in a name it is kept, with a note.
+#[test]
+fn latin_1_is_read() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("latin_1");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let read = |name: &str, head: &[u8]| {
+        let path = folder.join(name);
+        let text = [head, b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"].concat();
+        std::fs::write(&path, text).expect("a file");
+        lightbench_kit::scene_file::obj::read_file(&path)
+    };
+    let comment = read("comment.obj", b"# Gr\xf6\xdfe 1\n").expect("a mesh");
+    assert!(comment.remarks.is_empty() && comment.polygons.len() == 1);
+    let named = read("name.obj", b"# \xf6\no Gr\xf6\xdfe\n").expect("a mesh");
+    let text = named.remarks.render(Color::Never);
+    assert!(text.contains("2:3") && text.contains("Latin-1") && named.errors() == 0, "{text}");
+    let number = read("number.obj", b"v \xf6 0 0\n").expect("remarks");
+    assert_eq!(number.errors(), 1);
+    assert!(read("utf16.obj", b"\xff\xfev\0").is_err());
+}
+
 #[test]
 fn wrong_lines_are_told_with_line_and_column() {
     for (lines, column, words) in HOSTILE {

@@ -108,7 +108,10 @@ fn what_is_wrong_is_told_in_the_scene_and_where_it_stands() {
             ][..],
         ),
         ("Mesh { Material own Source \"none.obj\" }", &["s.scene:4:28: error: none.obj: cannot be read"]),
-        ("Mesh { Material own Source \"binary.obj\" }", &["binary.obj is no text", "binary.obj:1:1"]),
+        (
+            "Mesh { Material own Source \"binary.obj\" }",
+            &["is no word of the format", "binary.obj:1:1", "the file has no face"],
+        ),
         (
             "Mesh { Source \"h.obj\" }",
             &[

@@ -151,6 +151,13 @@ impl<'a> Reader<'a> {
         if matches!(n, 6 | 7) {
             self.once_about("colours", line, "colours of points are not read")?;
         }
+        if n == 7 {
+            let message = "7 numbers of a point are read as x y z w r g b";
+            let help = "for x y z r g b a, leave out the last number";
+            if self.remarked.insert(message) {
+                self.out.log.push(Diagnostic::note(line.span(), message).help(help));
+            }
+        }
         let weight = if matches!(n, 4 | 7) { p[3] } else { 1.0 };
         if weight == 0.0 {
             let d =

@@ -43,8 +43,11 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The lines that say something. A line ends with `\n`, `\r\n` or `\r`, unless `\` stands before that; what follows a word
-/// that begins with `#` is a comment.
+/// Keywords that a name follows: it runs to the end of the line, and `#` is a character of it.
+const NAMED: &[&str] = &["usemtl", "newmtl", "mtllib", "g", "o"];
+
+/// The lines that say something. A line ends with `\n`, `\r\n` or `\r`, unless `\` stands before that; a word that begins
+/// with `#` begins a comment, except in names.
 pub fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
     let mut at = 0;
     std::iter::from_fn(move || {
@@ -78,7 +81,8 @@ fn gather<'a>(part: &'a str, start: usize, words: &mut Vec<Word<'a>>) {
         rest = rest.trim_start_matches(blank);
         let end = rest.find(blank).unwrap_or(rest.len());
         let word = &rest[..end];
-        if word.is_empty() || word.starts_with('#') {
+        let in_name = words.first().is_some_and(|first| NAMED.contains(&first.text));
+        if word.is_empty() || (word.starts_with('#') && !in_name) {
             return;
         }
         let place = start + (part.len() - rest.len());

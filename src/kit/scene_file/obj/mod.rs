@@ -57,12 +57,30 @@ impl ObjFile {
 /// - Errors: a file that cannot be read at all; one that is wrong comes with its remarks.
 pub fn read_file(path: &Path) -> Result<ObjFile, ReadError> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let text = source::text(path, LARGEST_MESH)?;
-    Ok(read(&text, &path.display().to_string(), &|library| {
+    let (text, foreign) = source::text_or_latin1(path, LARGEST_MESH)?;
+    let mut file = read(&text, &path.display().to_string(), &|library| {
         let path = folder.join(library);
-        path.is_file()
-            .then(|| source::text(&path, LARGEST_MESH).map(|text| (path.display().to_string(), text)))
-    }))
+        let text = || source::text_or_latin1(&path, LARGEST_MESH);
+        path.is_file().then(|| text().map(|(text, _)| (path.display().to_string(), text)))
+    });
+    file.remarks.list.extend(latin1(&text, &foreign));
+    Ok(file)
+}
+
+/// A note about the first character that is no UTF-8 and stands outside comments.
+fn latin1(text: &str, foreign: &[Span]) -> Option<Diagnostic> {
+    let first = foreign.first()?.start;
+    let holds = |word: &Span| {
+        let next = foreign.partition_point(|f| f.start < word.start);
+        foreign.get(next).is_some_and(|f| f.start < word.end)
+    };
+    let mut words = line::lines(text).flat_map(|line| {
+        let words = line.words.iter().map(line::Word::span);
+        std::iter::once(line.keyword.span()).chain(words).collect::<Vec<_>>()
+    });
+    let word = words.find(|word| word.end > first && holds(word))?;
+    let message = "bytes that are not UTF-8 text are read as Latin-1, first in this word";
+    Some(Diagnostic::note(word, message).help("save the file as UTF-8"))
 }
 
 /// A material library by the name that a file gives it: its path and text, why it cannot be read, or nothing if there is none.
